@@ -1,0 +1,53 @@
+//! What the library refuses, and why.
+
+use thiserror::Error;
+
+/// Everything that can keep the library from giving a result. Each variant carries the offending value.
+#[derive(Debug, Error, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A parameter is unknown or outside its range.
+    #[error("parameter `{key}` = `{value}`: {expected}")]
+    Parameter {
+        /// The full key, such as `penalty.rho`.
+        key: String,
+        /// The value as it was given.
+        value: String,
+        /// What would have been accepted.
+        expected: String,
+    },
+    /// Too few distinct, finite points for any surface.
+    #[error("{distinct} distinct finite points of {read} read: a surface needs at least {needed}")]
+    TooFewPoints {
+        /// Points given.
+        read: usize,
+        /// Points left once non-finite ones are dropped and exact duplicates merged.
+        distinct: usize,
+        /// The least number that has a meaning.
+        needed: usize,
+    },
+    /// All points lie on one straight line, to rounding.
+    #[error("all {distinct} distinct points lie on one straight line: there is no surface to find lines on")]
+    Collinear {
+        /// Distinct finite points.
+        distinct: usize,
+    },
+    /// More points than the 32-bit point index can number.
+    #[error("{read} points are more than the {limit} that one cloud can hold: split it into tiles")]
+    TooManyPoints {
+        /// Points given.
+        read: usize,
+        /// The greatest number possible.
+        limit: usize,
+    },
+    /// Coordinates so far apart that differences of them overflow.
+    #[error("coordinates span from {min:e} to {max:e} on axis {axis}: the extent overflows")]
+    Extent {
+        /// 0 for x, 1 for y, 2 for z.
+        axis: usize,
+        /// Least coordinate on the axis.
+        min: f64,
+        /// Greatest coordinate on the axis.
+        max: f64,
+    },
+}

@@ -1,0 +1,3 @@
+//! Small numerical tools that know nothing of clouds.
+
+pub mod vec3;

@@ -1,0 +1,1 @@
+//! Readers of point clouds and writers of feature lines.
