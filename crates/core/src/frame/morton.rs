@@ -1,0 +1,150 @@
+//! Morton order of points, as deep as their coordinates differ, and the spacing that the order tells.
+
+use rayon::prelude::*;
+
+/// A Morton code and the index of its point, in one number that sorts by both.
+pub(super) type Entry = u128;
+
+/// Bits an axis in one code.
+const BITS: u32 = 21;
+/// Codes a point can have, each refining the cell of the one before. Past them positions are compared.
+const DEPTHS: u32 = 3;
+/// Levels of cells below the root.
+const LEVELS: usize = (BITS * DEPTHS) as usize;
+/// How many neighbours in the order first differ at a level: `[l]` counts pairs that share a cell at level `l`
+/// but not at `l + 1`.
+pub(super) type Levels = [usize; LEVELS + 1];
+
+/// The index of an entry's point in the input.
+pub(super) fn index(entry: Entry) -> u32 {
+    entry as u32
+}
+
+/// Whether all three coordinates are finite.
+pub(super) fn finite(p: &[f64; 3]) -> bool {
+    p.iter().all(|x| x.is_finite())
+}
+
+/// A cube at the least corner whose side is a power of two, halved level by level.
+pub(super) struct Grid {
+    /// World coordinates of the least corner.
+    pub(super) offset: [f64; 3],
+    /// Binary exponent of the cube's side.
+    exponent: i32,
+    /// From the distance from the corner to cells of the first code.
+    to_cell: f64,
+}
+
+impl Grid {
+    /// The cube at `offset` that holds all within `extent` of it.
+    pub(super) fn new(offset: [f64; 3], extent: f64) -> Grid {
+        // Clamped so that powers of two stay normal numbers: a cloud smaller than 2^-1000 has coarser cells.
+        let exponent = (exponent_of(extent) + 1).clamp(-1000, 1000);
+        Grid { offset, exponent, to_cell: power_of_two(BITS as i32 - exponent) }
+    }
+
+    /// The vector from the least corner, without negative zeros.
+    pub(super) fn relative(&self, p: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|a| (p[a] - self.offset[a]) + 0.0)
+    }
+
+    /// The code of a point at a depth: cells of `21 * (depth + 1)` levels. Every step is exact.
+    fn code(&self, p: [f64; 3], depth: u32) -> u64 {
+        let mut x = self.relative(p).map(|x| x * self.to_cell);
+        for _ in 0..depth {
+            x = x.map(|x| (x - x.floor()) * f64::from(1u32 << BITS));
+        }
+        let [x, y, z] = x.map(|x| spread(x as u64));
+        x << 2 | y << 1 | z
+    }
+
+    /// An entry for each finite point.
+    pub(super) fn entries(&self, points: &[[f64; 3]]) -> Vec<Entry> {
+        let entry = |i: usize| finite(&points[i]).then(|| self.entry(points, i as u32, 0));
+        (0..points.len()).into_par_iter().filter_map(entry).collect()
+    }
+
+    fn entry(&self, points: &[[f64; 3]], index: u32, depth: u32) -> Entry {
+        Entry::from(self.code(points[index as usize], depth)) << 32 | Entry::from(index)
+    }
+
+    /// Sorts entries into canonical order and counts at which level neighbours in it part.
+    pub(super) fn sort(&self, entries: &mut [Entry], points: &[[f64; 3]]) -> Levels {
+        let mut levels = [0; LEVELS + 1];
+        entries.par_sort_unstable();
+        self.refine(entries, points, 0, &mut levels);
+        levels
+    }
+
+    /// Orders the runs of equal codes in `entries`, sorted at `depth`, by what lies deeper.
+    fn refine(&self, entries: &mut [Entry], points: &[[f64; 3]], depth: u32, levels: &mut Levels) {
+        let mut start = 0;
+        while start < entries.len() {
+            let code = entries[start] >> 32;
+            let run = entries[start..].iter().take_while(|&&e| e >> 32 == code).count();
+            if run > 1 {
+                self.order_run(&mut entries[start..start + run], points, depth, levels);
+            }
+            start += run;
+            if let Some(next) = entries.get(start) {
+                let shared = ((code ^ next >> 32) as u64).leading_zeros() - 1;
+                levels[(BITS * depth + shared / 3) as usize] += 1;
+            }
+        }
+    }
+
+    /// Orders entries of one cell.
+    fn order_run(&self, run: &mut [Entry], points: &[[f64; 3]], depth: u32, levels: &mut Levels) {
+        let place = |&e: &Entry| self.relative(points[index(e) as usize]);
+        let first = place(&run[0]);
+        if run.iter().all(|e| place(e) == first) {
+            levels[LEVELS] += run.len() - 1; // duplicates, by index already
+        } else if depth + 1 < DEPTHS {
+            run.par_iter_mut().for_each(|e| *e = self.entry(points, index(*e), depth + 1));
+            run.par_sort_unstable();
+            self.refine(run, points, depth + 1, levels);
+        } else {
+            let order = |p: [f64; 3], q: [f64; 3]| (0..3).map(|a| p[a].total_cmp(&q[a])).find(|o| o.is_ne());
+            run.sort_unstable_by(|a, b| {
+                order(place(a), place(b)).unwrap_or_else(|| index(*a).cmp(&index(*b)))
+            });
+            levels[LEVELS] += run.len() - 1;
+        }
+    }
+
+    /// A power of two near the mean spacing: half the side of the finest cells that hold two or more points on
+    /// average. On a curve, a surface and in a volume alike that is within a factor of two; only integers are
+    /// compared, so that every machine agrees.
+    pub(super) fn spacing(&self, levels: &Levels, count: usize) -> f64 {
+        let mut cells = 1;
+        let mut level = 0;
+        for (l, parted) in levels.iter().enumerate().take(LEVELS) {
+            cells += parted;
+            if 2 * cells > count {
+                break;
+            }
+            level = l as i32 + 1;
+        }
+        if count < 2 { 1.0 } else { power_of_two((self.exponent - level - 1).max(-1000)) }
+    }
+}
+
+/// The greatest `e` with `2^e <= x`; that of the least normal number for anything smaller.
+fn exponent_of(x: f64) -> i32 {
+    ((x.to_bits() >> 52) as i32).max(1) - 1023
+}
+
+/// `2^e` for a normal result.
+fn power_of_two(e: i32) -> f64 {
+    f64::from_bits(((e + 1023) as u64) << 52)
+}
+
+/// Puts two zeros between the lowest 21 bits.
+fn spread(x: u64) -> u64 {
+    let x = x & 0x1f_ffff;
+    let x = (x | x << 32) & 0x001f_0000_0000_ffff;
+    let x = (x | x << 16) & 0x001f_0000_ff00_00ff;
+    let x = (x | x << 8) & 0x100f_00f0_0f00_f00f;
+    let x = (x | x << 4) & 0x10c3_0c30_c30c_30c3;
+    (x | x << 2) & 0x1249_2492_4924_9249
+}

@@ -1,0 +1,101 @@
+//! Nearest neighbours of every point, as flat lists.
+
+mod index;
+pub mod riemannian;
+
+use rayon::prelude::*;
+
+pub use index::Index;
+
+/// One list of point indices for each point, in compressed rows.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Neighbors {
+    /// `(N + 1)` where each list begins in `indices`; the last is the length of all.
+    pub offsets: Vec<u64>,
+    /// All lists, one after the other.
+    pub indices: Vec<u32>,
+}
+
+impl Neighbors {
+    /// The list of point `i`.
+    ///
+    /// # Panics
+    /// If there is no such point.
+    #[inline]
+    pub fn of(&self, i: usize) -> &[u32] {
+        &self.indices[self.offsets[i] as usize..self.offsets[i + 1] as usize]
+    }
+
+    /// The number of points.
+    pub fn len(&self) -> usize {
+        self.offsets.len().saturating_sub(1)
+    }
+
+    /// Whether there is no point.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// For each point its `min(k, N - 1)` nearest other points, sorted by (distance, index): exact in f64 squared
+/// distance, whatever the number of threads.
+///
+/// `positions` are `(N, 3)` f64, finite. Any order gives the same neighbours; canonical order (see
+/// [`Frame::localise`](crate::frame::Frame::localise)) gives them fast.
+pub fn all_nearest(positions: &[[f64; 3]], k: usize) -> Neighbors {
+    let k = k.min(positions.len().saturating_sub(1));
+    let mut indices = vec![0; positions.len() * k];
+    if k > 0 {
+        let index = Index::build(positions);
+        let blocks = indices.par_chunks_mut(BLOCK * k).enumerate();
+        blocks.for_each(|(b, lists)| index.nearest_of_block(positions, b * BLOCK, k, lists));
+    }
+    let offsets = (0..=positions.len() as u64).map(|i| i * k as u64).collect();
+    Neighbors { offsets, indices }
+}
+
+/// Points in a block of [`nearest_blocks`]; the last block of a cloud may have fewer.
+pub const BLOCK: usize = 1024;
+
+/// The lists of [`all_nearest`] block by block, in parallel, without storing them all: `visit(first, lists)` gets
+/// the index of a block's first point and `min(k, N - 1)` neighbours for each of its points, one list after the
+/// other. What it returns comes back in the order of the blocks. With `k` or `N - 1` zero there is nothing to
+/// visit.
+pub fn nearest_blocks<R: Send>(
+    positions: &[[f64; 3]],
+    k: usize,
+    visit: impl Fn(usize, &[u32]) -> R + Sync,
+) -> Vec<R> {
+    let k = k.min(positions.len().saturating_sub(1));
+    if k == 0 {
+        return Vec::new();
+    }
+    let index = Index::build(positions);
+    let block = |lists: &mut Vec<u32>, b: usize| {
+        let first = b * BLOCK;
+        lists.resize(BLOCK.min(positions.len() - first) * k, 0);
+        index.nearest_of_block(positions, first, k, lists);
+        visit(first, lists)
+    };
+    (0..positions.len().div_ceil(BLOCK)).into_par_iter().map_init(Vec::new, block).collect()
+}
+
+/// A point found by a search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found {
+    /// Squared distance from the query.
+    pub distance2: f64,
+    /// Index of the point.
+    pub index: u32,
+}
+
+impl Found {
+    /// By distance, then by index.
+    #[inline]
+    pub(crate) fn order(&self, other: &Found) -> std::cmp::Ordering {
+        self.distance2.total_cmp(&other.distance2).then(self.index.cmp(&other.index))
+    }
+}
+
+#[cfg(test)]
+mod tests;

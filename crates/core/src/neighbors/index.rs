@@ -1,0 +1,218 @@
+//! The search structure: leaves of 16 points under a 16-wide implicit hierarchy of bounding boxes.
+
+use super::Found;
+
+/// Points in a leaf and children of a node.
+pub(super) const WIDTH: usize = 16;
+
+/// A search structure over a set of points, for queries at any place.
+#[derive(Clone, Debug, Default)]
+pub struct Index {
+    pub(super) count: usize,
+    pub(super) leaves: Vec<Leaf>,
+    /// `[0]` are the nodes over the leaves, the last level is one node: child `c` of node `n` is the entry
+    /// `16 n + c` of the level below.
+    pub(super) levels: Vec<Vec<Node>>,
+}
+
+/// Sixteen points, coordinate by coordinate. Places that no point fills are infinitely far.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub(super) struct Leaf {
+    pub(super) at: [[f64; WIDTH]; 3],
+    pub(super) id: [u32; WIDTH],
+}
+
+/// The bounding boxes of sixteen children. Those without a child are empty: infinitely far from everything.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub(super) struct Node {
+    pub(super) min: [[f64; WIDTH]; 3],
+    pub(super) max: [[f64; WIDTH]; 3],
+}
+
+/// An axis-aligned box.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Aabb {
+    pub(super) min: [f64; 3],
+    pub(super) max: [f64; 3],
+}
+
+impl Index {
+    /// Over `positions`, `(N, 3)` f64, finite, less than 1e150 apart. In canonical order leaves are compact and
+    /// searches fast; any other order gives the same results.
+    pub fn build(positions: &[[f64; 3]]) -> Index {
+        let leaves: Vec<Leaf> = positions
+            .chunks(WIDTH)
+            .enumerate()
+            .map(|(l, points)| Leaf::new(points, (l * WIDTH) as u32))
+            .collect();
+        let mut levels: Vec<Vec<Node>> = Vec::new();
+        let mut boxes: Vec<Aabb> = positions.chunks(WIDTH).map(Aabb::of).collect();
+        while boxes.len() > 1 || levels.is_empty() {
+            let nodes: Vec<Node> = boxes.chunks(WIDTH).map(Node::new).collect();
+            boxes = boxes.chunks(WIDTH).map(Aabb::union).collect();
+            levels.push(nodes);
+            if boxes.is_empty() {
+                break;
+            }
+        }
+        Index { count: positions.len(), leaves, levels }
+    }
+
+    /// The number of points.
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// Whether there is no point.
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// The `min(k, N)` points nearest to `query`, sorted by (distance, index), into `out`. A point at the query
+    /// itself counts like any other.
+    pub fn nearest(&self, query: [f64; 3], k: usize, out: &mut Vec<Found>) {
+        out.clear();
+        if k == 0 {
+            return;
+        }
+        self.visit(query, f64::INFINITY, |found| {
+            if out.len() == k {
+                if out[k - 1].order(&found).is_lt() {
+                    return out[k - 1].distance2;
+                }
+                out.pop();
+            }
+            let place = out.partition_point(|o| o.order(&found).is_lt());
+            out.insert(place, found);
+            if out.len() == k { out[k - 1].distance2 } else { f64::INFINITY }
+        });
+    }
+
+    /// All points within `radius` of `query`, the bound included, sorted by (distance, index), into `out`.
+    pub fn within(&self, query: [f64; 3], radius: f64, out: &mut Vec<Found>) {
+        out.clear();
+        let bound = radius * radius;
+        self.visit(query, bound, |found| {
+            if found.distance2 <= bound {
+                out.push(found);
+            }
+            bound
+        });
+        out.sort_unstable_by(Found::order);
+    }
+
+    /// The lists of the points from `first` on, `k` each, into `lists`.
+    pub(super) fn nearest_of_block(&self, positions: &[[f64; 3]], first: usize, k: usize, lists: &mut [u32]) {
+        let mut found = Vec::new();
+        for (i, list) in lists.chunks_exact_mut(k).enumerate() {
+            let i = first + i;
+            self.nearest(positions[i], k + 1, &mut found);
+            let others = found.iter().filter(|n| n.index != i as u32);
+            list.iter_mut().zip(others).for_each(|(slot, n)| *slot = n.index);
+        }
+    }
+
+    /// Hands every point that can be within the squared distance `bound` to `take`, near boxes first; `take`
+    /// returns the bound from then on.
+    fn visit(&self, query: [f64; 3], mut bound: f64, mut take: impl FnMut(Found) -> f64) {
+        let top = self.levels.len().saturating_sub(1);
+        let mut stack: Vec<(f64, usize, u32)> = vec![(0.0, top + 1, 0)];
+        while let Some((distance2, level, entry)) = stack.pop() {
+            if distance2 > bound {
+                continue;
+            }
+            if level == 0 {
+                let Some(leaf) = self.leaves.get(entry as usize) else { continue };
+                let near = leaf.distances2(query);
+                for (lane, &distance2) in near.iter().enumerate() {
+                    if distance2 <= bound && distance2 < f64::INFINITY {
+                        bound = take(Found { distance2, index: leaf.id[lane] });
+                    }
+                }
+                continue;
+            }
+            let Some(node) = self.levels.get(level - 1).and_then(|l| l.get(entry as usize)) else { continue };
+            let near = node.distances2(query);
+            let first = stack.len();
+            for (child, &d) in near.iter().enumerate() {
+                if d <= bound && d < f64::INFINITY {
+                    stack.push((d, level - 1, entry * WIDTH as u32 + child as u32));
+                }
+            }
+            stack[first..].sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(b.2.cmp(&a.2)));
+        }
+    }
+}
+
+impl Leaf {
+    fn new(points: &[[f64; 3]], first: u32) -> Leaf {
+        let mut leaf = Leaf { at: [[f64::INFINITY; WIDTH]; 3], id: [u32::MAX; WIDTH] };
+        for (lane, p) in points.iter().enumerate() {
+            (0..3).for_each(|a| leaf.at[a][lane] = p[a]);
+            leaf.id[lane] = first + lane as u32;
+        }
+        leaf
+    }
+
+    /// Squared distances of the points from `q`; infinite in empty places.
+    #[inline]
+    pub(super) fn distances2(&self, q: [f64; 3]) -> [f64; WIDTH] {
+        let [x, y, z] = &self.at;
+        std::array::from_fn(|i| {
+            let (dx, dy, dz) = (x[i] - q[0], y[i] - q[1], z[i] - q[2]);
+            dx * dx + dy * dy + dz * dz
+        })
+    }
+}
+
+impl Node {
+    fn new(children: &[Aabb]) -> Node {
+        let mut node = Node { min: [[f64::INFINITY; WIDTH]; 3], max: [[f64::NEG_INFINITY; WIDTH]; 3] };
+        for (c, child) in children.iter().enumerate() {
+            for a in 0..3 {
+                node.min[a][c] = child.min[a];
+                node.max[a][c] = child.max[a];
+            }
+        }
+        node
+    }
+
+    /// Squared distances of the children's boxes from `q`, never above that of a point inside: every step is
+    /// monotone, rounding included.
+    #[inline]
+    pub(super) fn distances2(&self, q: [f64; 3]) -> [f64; WIDTH] {
+        let gap = |a: usize, i: usize| {
+            let (below, above) = (self.min[a][i] - q[a], q[a] - self.max[a][i]);
+            let gap = if below > above { below } else { above };
+            if gap > 0.0 { gap } else { 0.0 }
+        };
+        std::array::from_fn(|i| {
+            let (dx, dy, dz) = (gap(0, i), gap(1, i), gap(2, i));
+            dx * dx + dy * dy + dz * dz
+        })
+    }
+}
+
+impl Aabb {
+    pub(super) const EMPTY: Aabb = Aabb { min: [f64::INFINITY; 3], max: [f64::NEG_INFINITY; 3] };
+
+    /// The least box around points.
+    pub(super) fn of(points: &[[f64; 3]]) -> Aabb {
+        points.iter().fold(Aabb::EMPTY, |b, &p| b.join(&Aabb { min: p, max: p }))
+    }
+
+    fn union(boxes: &[Aabb]) -> Aabb {
+        boxes.iter().fold(Aabb::EMPTY, |b, c| b.join(c))
+    }
+
+    fn join(self, other: &Aabb) -> Aabb {
+        let less = |a: f64, b: f64| if b < a { b } else { a };
+        let more = |a: f64, b: f64| if b > a { b } else { a };
+        Aabb {
+            min: std::array::from_fn(|a| less(self.min[a], other.min[a])),
+            max: std::array::from_fn(|a| more(self.max[a], other.max[a])),
+        }
+    }
+}
