@@ -1,0 +1,51 @@
+//! Classes of the points, from the network.
+
+use crate::math::vec3::{add_scaled, distance2, dot, sub};
+use crate::measure::Class;
+use crate::neighbors::Index;
+use crate::network::{Network, StripKind};
+use crate::resolution::Resolution;
+
+/// A point belongs to a line up to this many spacings from it. On a square lattice a row beside the line lies at .88 mean
+/// spacings to the six nearest: it is not on the line.
+const ON_LINE: f64 = 0.85;
+
+/// `(N)` the class of every point: near a node, near a strip, or neither. Network and points in one frame.
+pub fn classes(points: &[[f64; 3]], network: &Network, resolution: Resolution) -> Vec<Class> {
+    let mut classes = vec![Class::Smooth; points.len()];
+    let index = Index::build(points);
+    let reach = ON_LINE * resolution.spacing;
+    let mut found = Vec::new();
+    for strip in &network.strips {
+        let class = match strip.kind {
+            StripKind::Crease => Class::Crease,
+            StripKind::Border => Class::Border,
+        };
+        let closing = strip.closed.then(|| [strip.points[strip.points.len() - 1], strip.points[0]]);
+        for [a, b] in strip.points.windows(2).map(|w| [w[0], w[1]]).chain(closing) {
+            let middle = [0, 1, 2].map(|c| 0.5 * (a[c] + b[c]));
+            let radius = reach + 0.5 * distance2(a, b).sqrt();
+            index.within(middle, radius, &mut found);
+            for f in &found {
+                let own = &mut classes[f.index as usize];
+                if *own == Class::Smooth && segment_distance2(points[f.index as usize], a, b) <= reach * reach {
+                    *own = class;
+                }
+            }
+        }
+    }
+    for node in &network.nodes {
+        index.within(node.position, reach, &mut found);
+        for f in &found {
+            classes[f.index as usize] = Class::Corner;
+        }
+    }
+    classes
+}
+
+fn segment_distance2(p: [f64; 3], a: [f64; 3], b: [f64; 3]) -> f64 {
+    let (ab, ap) = (sub(b, a), sub(p, a));
+    let length2 = dot(ab, ab);
+    let t = if length2 > 0.0 { (dot(ap, ab) / length2).clamp(0.0, 1.0) } else { 0.0 };
+    distance2(p, add_scaled(a, ab, t))
+}

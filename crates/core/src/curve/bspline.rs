@@ -1,0 +1,139 @@
+//! B-spline curves in space, clamped or periodic.
+
+/// A B-spline curve in space, clamped or periodic, of degree 1 to 3.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BSpline {
+    /// Polynomial degree; 3 unless the strip is too short for it.
+    pub degree: usize,
+    /// Non-decreasing knots on the chord-length parameter. Clamped: `controls.len() + degree + 1` of them, the
+    /// first and last `degree + 1` equal. Periodic: `controls.len() + 1` of them, one period.
+    pub knots: Vec<f64>,
+    /// `(C, 3)` control points.
+    pub controls: Vec<[f64; 3]>,
+    /// Whether the curve closes smoothly on itself.
+    pub periodic: bool,
+}
+
+/// The greatest degree.
+pub(super) const MAX_DEGREE: usize = 3;
+
+impl BSpline {
+    /// A clamped curve's knots: `spans` equal ones over `[0, length]`.
+    pub(super) fn clamped_knots(degree: usize, spans: usize, length: f64) -> Vec<f64> {
+        let inner = (0..=spans).map(|i| length * i as f64 / spans as f64);
+        std::iter::repeat_n(0.0, degree).chain(inner).chain(std::iter::repeat_n(length, degree)).collect()
+    }
+
+    /// The parameters at which the curve begins and ends (closes, if periodic).
+    pub fn domain(&self) -> (f64, f64) {
+        if self.periodic {
+            (self.knots[0], self.knots[self.controls.len()])
+        } else {
+            (self.knots[self.degree], self.knots[self.controls.len()])
+        }
+    }
+
+    /// The point at parameter `t`, clamped to the domain or wrapped into the period.
+    pub fn point(&self, t: f64) -> [f64; 3] {
+        let (controls, weights) = self.basis(t);
+        let mut p = [0.0; 3];
+        for (i, w) in controls.into_iter().zip(weights).take(self.degree + 1) {
+            for (x, c) in p.iter_mut().zip(self.controls[i]) {
+                *x += w * c;
+            }
+        }
+        p
+    }
+
+    /// The indices of the `degree + 1` control points that act at `t`, with their weights.
+    pub fn basis(&self, t: f64) -> ([usize; MAX_DEGREE + 1], [f64; MAX_DEGREE + 1]) {
+        let (t, span) = self.locate(t);
+        let mut weights = [0.0; MAX_DEGREE + 1];
+        weights[0] = 1.0;
+        for d in 1..=self.degree {
+            let mut carried = 0.0;
+            for r in 0..d {
+                let right = self.knot(span + 1 + r as isize);
+                let left = self.knot(span + 1 + r as isize - d as isize);
+                let share = if right > left { weights[r] / (right - left) } else { 0.0 };
+                weights[r] = carried + (right - t) * share;
+                carried = (t - left) * share;
+            }
+            weights[d] = carried;
+        }
+        let mut controls = [0; MAX_DEGREE + 1];
+        let count = self.controls.len() as isize;
+        for (r, c) in controls.iter_mut().enumerate().take(self.degree + 1) {
+            let i = span - self.degree as isize + r as isize;
+            *c = if self.periodic { i.rem_euclid(count) as usize } else { i as usize };
+        }
+        (controls, weights)
+    }
+
+    /// The parameter brought into the domain, and the index of the last knot at or below it.
+    fn locate(&self, t: f64) -> (f64, isize) {
+        let (first, last) = self.domain();
+        let t = if self.periodic && last > first {
+            first + (t - first).rem_euclid(last - first)
+        } else {
+            t.clamp(first, last)
+        };
+        let (low, high) = if self.periodic { (0, self.controls.len()) } else { (self.degree, self.controls.len()) };
+        let inner = &self.knots[low..=high];
+        let at = inner.partition_point(|&k| k <= t).clamp(1, inner.len() - 1) - 1;
+        (t, (low + at) as isize)
+    }
+
+    /// Knot `i`, continued over the period of a periodic curve.
+    fn knot(&self, i: isize) -> f64 {
+        if !self.periodic {
+            return self.knots[i as usize];
+        }
+        let count = self.controls.len() as isize;
+        let period = self.knots[self.controls.len()] - self.knots[0];
+        self.knots[i.rem_euclid(count) as usize] + period * i.div_euclid(count) as f64
+    }
+
+    /// The curve with every control point mapped by an affine `map` and its parameter scaled by `scale`.
+    pub fn mapped(&self, map: impl Fn([f64; 3]) -> [f64; 3], scale: f64) -> BSpline {
+        BSpline {
+            degree: self.degree,
+            knots: self.knots.iter().map(|k| k * scale).collect(),
+            controls: self.controls.iter().map(|&c| map(c)).collect(),
+            periodic: self.periodic,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn weights_are_a_partition_of_one_and_ends_are_the_end_controls() {
+        let controls: Vec<[f64; 3]> = (0..7).map(|i| [i as f64, (i * i) as f64, 1.0]).collect();
+        let curve =
+            BSpline { degree: 3, knots: BSpline::clamped_knots(3, 4, 8.0), controls, periodic: false };
+        for i in 0..=80 {
+            let sum: f64 = curve.basis(i as f64 * 0.1).1.iter().sum();
+            assert!((sum - 1.0).abs() < 1e-14);
+        }
+        assert_eq!(curve.point(0.0), curve.controls[0]);
+        assert_eq!(curve.point(8.0), curve.controls[6]);
+    }
+
+    #[test]
+    fn a_periodic_curve_closes_with_continuous_slope() {
+        let controls = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.5, -0.5, 0.3]];
+        let knots = vec![0.0, 1.0, 2.5, 3.0, 4.0, 5.0];
+        let curve = BSpline { degree: 3, knots, controls, periodic: true };
+        let slope = |t: f64| {
+            let (a, b) = (curve.point(t - 1e-6), curve.point(t + 1e-6));
+            [b[0] - a[0], b[1] - a[1], b[2] - a[2]].map(|x| x / 2e-6)
+        };
+        for (a, b) in slope(1e-5).iter().zip(slope(5.0 - 1e-5)) {
+            assert!((a - b).abs() < 1e-3, "{a} {b}");
+        }
+        assert_eq!(curve.point(0.0), curve.point(5.0));
+    }
+}

@@ -1,0 +1,183 @@
+//! Least-squares cubic B-splines on the chord-length parameter (Gumhold 2001, section 4, the simple solution).
+//!
+//! To the squared distances is added a small multiple of the squared second differences of the control points, which keeps
+//! spans without data determined and the curve calm between noisy points.
+
+use super::bspline::BSpline;
+use crate::math::skyline::Skyline;
+use crate::math::vec3::{distance, scale, sub};
+
+/// How a curve is fitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FitOptions {
+    /// Length of curve for each span, in the unit of the points.
+    pub span: f64,
+    /// Weight of the squared second differences of the control points against one data point.
+    pub smoothing: f64,
+    /// Whether the curve closes; otherwise its ends are held at the first and last point.
+    pub closed: bool,
+}
+
+/// Fits a curve through `points`, which are in order along it. A closed curve's first point is not repeated.
+///
+/// Returns the curve and the parameter of each point. The degree falls below 3 only for fewer than four points. All points
+/// must not coincide; fewer than two (three if closed) give a degenerate curve of equal controls.
+pub fn fit(points: &[[f64; 3]], options: FitOptions) -> (BSpline, Vec<f64>) {
+    let (parameters, length) = chord_lengths(points, options.closed);
+    let spans = ((length / options.span).round() as usize).clamp(1, points.len().max(2) - 1);
+    let mut curve = if options.closed {
+        let spans = spans.max(4);
+        let knots = (0..=spans).map(|i| length * i as f64 / spans as f64).collect();
+        BSpline { degree: 3, knots, controls: vec![[0.0; 3]; spans], periodic: true }
+    } else {
+        let degree = (points.len().saturating_sub(1)).clamp(1, 3);
+        let knots = BSpline::clamped_knots(degree, spans, length);
+        BSpline { degree, knots, controls: vec![[0.0; 3]; spans + degree], periodic: false }
+    };
+    let (held, ends) = held_ends(points, &curve);
+    let (mut matrix, mut right) = normal_equations(points, &parameters, &curve, options.smoothing, &ends);
+    if matrix.factorise() {
+        matrix.solve(&mut right);
+        curve.controls[held..held + right.len()].copy_from_slice(&right);
+    } else {
+        polygon(points, &mut curve);
+    }
+    if let [first, .., last] = points
+        && !options.closed
+    {
+        let end = curve.controls.len() - 1;
+        curve.controls[0] = *first;
+        curve.controls[end] = *last;
+    }
+    (curve, parameters)
+}
+
+/// The number of control points held at each end, and the positions that they are held at.
+fn held_ends(points: &[[f64; 3]], curve: &BSpline) -> (usize, Option<[[f64; 3]; 2]>) {
+    match (curve.periodic, points.first(), points.last()) {
+        (false, Some(&first), Some(&last)) => (1, Some([first, last])),
+        _ => (0, None),
+    }
+}
+
+/// Chord-length parameters from zero, and the whole length.
+fn chord_lengths(points: &[[f64; 3]], closed: bool) -> (Vec<f64>, f64) {
+    let mut length = 0.0;
+    let mut parameters = Vec::with_capacity(points.len());
+    for (i, &p) in points.iter().enumerate() {
+        if i > 0 {
+            length += distance(points[i - 1], p);
+        }
+        parameters.push(length);
+    }
+    if let (true, Some(&first), Some(&last)) = (closed, points.first(), points.last()) {
+        length += distance(first, last);
+    }
+    (parameters, length)
+}
+
+/// The normal equations for the free control points.
+fn normal_equations(
+    points: &[[f64; 3]],
+    parameters: &[f64],
+    curve: &BSpline,
+    smoothing: f64,
+    ends: &Option<[[f64; 3]; 2]>,
+) -> (Skyline, Vec<[f64; 3]>) {
+    let count = curve.controls.len();
+    let free = if ends.is_some() { count - 2 } else { count };
+    let mut matrix = Skyline::zeros(profile(free, curve.periodic));
+    let mut right = vec![[0.0; 3]; free];
+    let mut row = |terms: &[(usize, f64)], target: [f64; 3], weight: f64| {
+        let mut target = target;
+        for &(c, w) in terms {
+            if let Some(held) = held_position(c, count, ends) {
+                target = sub(target, scale(held, w));
+            }
+        }
+        for (n, &(a, wa)) in terms.iter().enumerate() {
+            let Some(i) = free_index(a, count, ends) else { continue };
+            for (x, t) in right[i].iter_mut().zip(target) {
+                *x += weight * wa * t;
+            }
+            for &(b, wb) in &terms[n..] {
+                let Some(j) = free_index(b, count, ends) else { continue };
+                matrix.add(i, j, weight * wa * wb);
+            }
+        }
+    };
+    for (&p, &t) in points.iter().zip(parameters) {
+        let (controls, weights) = curve.basis(t);
+        let terms: Vec<(usize, f64)> = controls.into_iter().zip(weights).take(curve.degree + 1).collect();
+        row(&terms, p, 1.0);
+    }
+    let differences = if curve.periodic { count } else { count.saturating_sub(2) };
+    for i in 0..differences {
+        let terms = [(i, 1.0), ((i + 1) % count, -2.0), ((i + 2) % count, 1.0)];
+        row(&terms, [0.0; 3], smoothing);
+    }
+    (matrix, right)
+}
+
+/// The first column of each row: a band of three, and full last rows when periodic.
+fn profile(free: usize, periodic: bool) -> Vec<usize> {
+    (0..free).map(|i| if periodic && i + 3 >= free { 0 } else { i.saturating_sub(3) }).collect()
+}
+
+fn held_position(control: usize, count: usize, ends: &Option<[[f64; 3]; 2]>) -> Option<[f64; 3]> {
+    match (ends, control) {
+        (Some(e), 0) => Some(e[0]),
+        (Some(e), c) if c == count - 1 => Some(e[1]),
+        _ => None,
+    }
+}
+
+fn free_index(control: usize, count: usize, ends: &Option<[[f64; 3]; 2]>) -> Option<usize> {
+    match ends {
+        None => Some(control),
+        Some(_) if control == 0 || control == count - 1 => None,
+        Some(_) => Some(control - 1),
+    }
+}
+
+/// Control points on the polyline of the data, for systems that rounding makes singular.
+fn polygon(points: &[[f64; 3]], curve: &mut BSpline) {
+    let last = curve.controls.len().max(2) - 1;
+    for (i, c) in curve.controls.iter_mut().enumerate() {
+        *c = points.get(i * points.len().saturating_sub(1) / last).copied().unwrap_or([0.0; 3]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_circle_of_points_gives_a_circle() {
+        let points: Vec<[f64; 3]> =
+            (0..60).map(|i| (i as f64 * std::f64::consts::TAU / 60.0).sin_cos()).map(|(s, c)| [5.0 * c, 5.0 * s, 1.0]).collect();
+        let (curve, _) = fit(&points, FitOptions { span: 3.0, smoothing: 1e-6, closed: true });
+        for i in 0..500 {
+            let [x, y, z] = curve.point(curve.domain().1 * i as f64 / 500.0);
+            assert!(((x * x + y * y).sqrt() - 5.0).abs() < 0.02 && (z - 1.0).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn the_ends_of_an_open_curve_are_held_and_a_line_stays_a_line() {
+        let points: Vec<[f64; 3]> = (0..20).map(|i| [i as f64, 2.0 * i as f64, 0.0]).collect();
+        let (curve, parameters) = fit(&points, FitOptions { span: 3.0, smoothing: 0.01, closed: false });
+        assert_eq!(curve.point(0.0), points[0]);
+        assert_eq!(curve.point(curve.domain().1), points[19]);
+        for (p, t) in points.iter().zip(parameters) {
+            assert!(distance(*p, curve.point(t)) < 1e-9);
+        }
+    }
+
+    #[test]
+    fn two_points_give_a_segment() {
+        let (curve, _) = fit(&[[0.0; 3], [1.0, 0.0, 0.0]], FitOptions { span: 3.0, smoothing: 0.01, closed: false });
+        assert_eq!(curve.degree, 1);
+        assert_eq!(curve.point(0.5), [0.5, 0.0, 0.0]);
+    }
+}

@@ -1,0 +1,6 @@
+//! Detectors: what every point says of the lines it may lie on.
+
+pub mod normals;
+pub mod open_angle;
+pub mod penalty;
+pub mod tensor;

@@ -1,0 +1,55 @@
+//! Point penalties (Gumhold 2001, sections 2.2 and 3.1): how improbable it is that a point lies on a crease, a corner or a
+//! border.
+//!
+//! Two forms. [`paper`] is as printed. [`robust`], the default, departs where the paper is fragile: see there.
+
+pub mod paper;
+pub mod robust;
+
+use crate::measure::Measure;
+use crate::neighbors::Neighbors;
+use crate::params::{PenaltyForm, PenaltyParams};
+use crate::resolution::Resolution;
+
+/// The values that the parameters left to the data.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Derived {
+    /// Graph distance of the neighbourhoods.
+    pub hops: usize,
+    /// Share of the curvature penalty.
+    pub alpha: f64,
+}
+
+/// Neighbourhood and share that suit the noise, unless given (section 3.1: direct neighbours without noise, graph distance
+/// up to five with much; section 3.2: alpha from 0.5 down to 0.2).
+pub fn derive(params: &PenaltyParams, resolution: Resolution) -> Derived {
+    let ratio = resolution.noise / resolution.spacing;
+    let hops = params.hops.or(|| match ratio {
+        r if r < 0.15 => 1,
+        r if r < 0.6 => 2,
+        _ => 3,
+    });
+    let alpha = params.alpha.or(|| (0.5 - 0.6 * (ratio - 0.05)).clamp(0.2, 0.5));
+    Derived { hops, alpha }
+}
+
+/// The penalties of all points. `points` in canonical order, local frame; `graph` is the Riemannian graph.
+pub fn penalty(
+    points: &[[f64; 3]],
+    graph: &Neighbors,
+    resolution: Resolution,
+    params: &PenaltyParams,
+) -> Measure {
+    let derived = derive(params, resolution);
+    match params.form {
+        PenaltyForm::Robust => robust::penalties(points, graph, resolution, params, derived),
+        PenaltyForm::Paper => paper::penalties(points, graph, params, derived),
+    }
+}
+
+/// Mean distance to the direct neighbours (equation 1); zero for a point without any.
+pub fn density(points: &[[f64; 3]], graph: &Neighbors, i: usize) -> f64 {
+    let near = graph.of(i);
+    let sum: f64 = near.iter().map(|&j| crate::math::vec3::distance(points[i], points[j as usize])).sum();
+    sum / near.len().max(1) as f64
+}

@@ -1,0 +1,157 @@
+//! The robust form of the penalties: Gumhold 2001, section 3.1, made safe against noise, outliers and blunt folds.
+//!
+//! Where it departs, and why:
+//! * **Curvature.** The paper's `kappa / kappa_max` depends on the one sharpest point of the cloud. Here the fold is read
+//!   from the correlation tensor of the neighbours' *normals*, `M = sum w n n^t`: two faces that fold by `phi` give it a
+//!   middle eigenvalue of `sin^2(phi / 2)`, noise and thin sheets give it none. The penalty is one half where the fold is
+//!   `fold_deg` and zero at twice that sine: no quantity of the whole cloud is in it.
+//! * **Direction.** The least eigenvector of `M` is the crease's direction, also where the fold is too blunt to stretch the
+//!   ellipsoid of the points. An edge is penalised by how far it leaves that direction.
+//! * **Corner.** At a corner the least eigenvalue of `M` is large too, and no direction is preferred.
+//! * **Foot.** The point nearest to all tangent planes of the neighbourhood (the quadric error of the paper's section 4.2,
+//!   along the well-determined eigenvectors of `M` only) says where on the crease or corner the point belongs.
+//! * **Border.** The open angle counts only if it is wider than chance would leave it in as many directions, and not at an
+//!   acute crease, where one face hides the other.
+
+use super::{Derived, density};
+use crate::detect::normals::{Normals, normals};
+use crate::detect::open_angle::{chance_opening, open_angle};
+use crate::detect::tensor::{add_product, ellipsoid};
+use crate::math::eigen3::{Eigen3, eigen3};
+use crate::math::vec3::{add, add_scaled, cross, dot, norm, scale, sub};
+use crate::measure::{Direction, Measure, Penalties, Row};
+use crate::neighbors::{Neighbors, riemannian::Scratch};
+use crate::params::PenaltyParams;
+use crate::resolution::Resolution;
+use rayon::prelude::*;
+use std::f64::consts::{PI, TAU};
+
+/// Chance that a point within the surface shows its open angle by accident.
+const BORDER_CHANCE: f64 = 1e-3;
+
+/// What every point needs to know.
+struct Context<'a> {
+    points: &'a [[f64; 3]],
+    graph: &'a Neighbors,
+    normals: Normals,
+    resolution: Resolution,
+    hops: usize,
+    /// Sine of half the fold at which a crease becomes one.
+    least_fold: f64,
+}
+
+/// The penalties of one point.
+struct Point {
+    density: f32,
+    fold: f32,
+    crease: Option<Row>,
+    border: Option<Row>,
+}
+
+/// Robust penalties of every point.
+pub fn penalties(
+    points: &[[f64; 3]],
+    graph: &Neighbors,
+    resolution: Resolution,
+    params: &PenaltyParams,
+    derived: Derived,
+) -> Measure {
+    let context = Context {
+        points,
+        graph,
+        normals: normals(points, graph, derived.hops, resolution),
+        resolution,
+        hops: derived.hops,
+        least_fold: (0.5 * params.fold_deg.to_radians()).sin(),
+    };
+    let rows: Vec<Point> = (0..points.len())
+        .into_par_iter()
+        .with_min_len(1024)
+        .map_init(Default::default, |(scratch, angles), i| context.point(i, scratch, angles))
+        .collect();
+    let mut measure = Measure {
+        crease: Penalties { share: derived.alpha, direction: Direction::Across, ..Default::default() },
+        border: Penalties { share: params.gamma, direction: Direction::Across, ..Default::default() },
+        ..Default::default()
+    };
+    for (i, row) in rows.iter().enumerate() {
+        measure.density.push(row.density);
+        measure.score.push(row.fold);
+        if let Some(crease) = row.crease {
+            measure.crease.push(i as u32, crease);
+        }
+        if let Some(border) = row.border {
+            measure.border.push(i as u32, border);
+        }
+    }
+    measure.normal = context.normals.vectors;
+    measure
+}
+
+impl Context<'_> {
+    fn point(&self, i: usize, scratch: &mut Scratch, angles: &mut Vec<f64>) -> Point {
+        let near = self.graph.of(i);
+        let (tensor, pull) = self.normal_tensor(i, near);
+        let fold = tensor.values[1].max(0.0).sqrt();
+        let penalty = 1.0 - fold / (2.0 * self.least_fold);
+        let crease = (penalty < 0.75).then(|| self.crease(i, &tensor, pull, penalty.max(0.0)));
+        let wide = self.graph.hops(i, self.hops.max(2), scratch);
+        let border = if fold < (0.3 * PI).sin() { self.border(i, wide, angles) } else { None };
+        Point {
+            density: density(self.points, self.graph, i) as f32,
+            fold: (fold / (2.0 * self.least_fold)).min(1.0) as f32,
+            crease,
+            border,
+        }
+    }
+
+    /// Correlation tensor of the normals around point `i`, and `sum w n (n . (q - p))`, both over the sum of weights.
+    fn normal_tensor(&self, i: usize, near: &[u32]) -> (Eigen3, [f64; 3]) {
+        let (mut tensor, mut pull, mut total) = ([0.0; 6], [0.0; 3], 0.0);
+        for j in near.iter().map(|&j| j as usize).chain([i]) {
+            let normal = self.normals.vectors[j].map(f64::from);
+            let weight = f64::from(self.normals.support[j]);
+            let offset = dot(normal, sub(self.points[j], self.points[i]));
+            add_product(&mut tensor, normal, weight);
+            pull = add_scaled(pull, normal, weight * offset);
+            total += weight;
+        }
+        let inverse = if total > 0.0 { 1.0 / total } else { 0.0 };
+        (eigen3(&tensor.map(|x| x * inverse)), scale(pull, inverse))
+    }
+
+    fn crease(&self, i: usize, tensor: &Eigen3, pull: [f64; 3], penalty: f64) -> Row {
+        let [least, middle, _] = tensor.values.map(|x| x.max(0.0));
+        let corner = least.sqrt() > self.least_fold;
+        let mut shift = [0.0; 3];
+        for k in if corner { 0 } else { 1 }..3 {
+            let along = dot(tensor.vectors[k], pull) / tensor.values[k].max(1e-12);
+            shift = add_scaled(shift, tensor.vectors[k], along);
+        }
+        let reach = 2.0 * self.resolution.spacing + 2.0 * self.resolution.noise;
+        let foot = if norm(shift) <= reach { add(self.points[i], shift) } else { self.points[i] };
+        let certainty = if middle > 0.0 { 1.0 - (least / middle).sqrt() } else { 0.0 };
+        Row {
+            scalar: penalty as f32,
+            vector: scale(tensor.vectors[0], certainty).map(|x| x as f32),
+            corner: (1.0 - (least.sqrt() / self.least_fold).min(1.0)) as f32,
+            foot,
+        }
+    }
+
+    fn border(&self, i: usize, wide: &[u32], angles: &mut Vec<f64>) -> Option<Row> {
+        let axes = ellipsoid(self.points, i, wide).axes;
+        let opening = open_angle(self.points, i, wide, axes.vectors[0], angles);
+        let chance = chance_opening(angles.len(), BORDER_CHANCE);
+        if opening.angle < chance.max(0.5 * PI) {
+            return None;
+        }
+        let along = cross(axes.vectors[0], opening.middle);
+        Some(Row {
+            scalar: (1.0 - opening.angle / TAU) as f32,
+            vector: along.map(|x| x as f32),
+            corner: if opening.angle > 1.2 * PI { 0.5 } else { 1.0 },
+            foot: self.points[i],
+        })
+    }
+}

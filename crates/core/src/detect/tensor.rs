@@ -1,0 +1,59 @@
+//! Centre and correlation tensor of a neighbourhood (Gumhold 2001, section 3.1, equations 2 and 3).
+
+use crate::math::eigen3::{Eigen3, Symmetric3, eigen3};
+use crate::math::vec3::sub;
+
+/// Centre and correlation ellipsoid of a set of points.
+#[derive(Clone, Copy, Debug)]
+pub struct Ellipsoid {
+    /// Centre relative to the point that the neighbourhood belongs to.
+    pub centre: [f64; 3],
+    /// Axes: `values[i]` is the variance along `vectors[i]`, ascending.
+    pub axes: Eigen3,
+    /// The number of points, the own point included.
+    pub count: usize,
+}
+
+/// The correlation ellipsoid of `points[own]` and `neighbors`, with the point itself as one of the set.
+pub fn ellipsoid(points: &[[f64; 3]], own: usize, neighbors: &[u32]) -> Ellipsoid {
+    let origin = points[own];
+    let (mut sum, mut products): ([f64; 3], Symmetric3) = ([0.0; 3], [0.0; 6]);
+    for &j in neighbors {
+        let d = sub(points[j as usize], origin);
+        for c in 0..3 {
+            sum[c] += d[c];
+        }
+        add_product(&mut products, d, 1.0);
+    }
+    let n = (neighbors.len() + 1) as f64;
+    let centre = sum.map(|s| s / n);
+    let mut tensor = products.map(|p| p / n);
+    add_product(&mut tensor, centre, -1.0);
+    Ellipsoid { centre, axes: eigen3(&tensor), count: neighbors.len() + 1 }
+}
+
+/// Adds `weight v v^t`.
+#[inline]
+pub fn add_product(m: &mut Symmetric3, v: [f64; 3], weight: f64) {
+    let w = [v[0] * weight, v[1] * weight, v[2] * weight];
+    m[0] += w[0] * v[0];
+    m[1] += w[0] * v[1];
+    m[2] += w[0] * v[2];
+    m[3] += w[1] * v[1];
+    m[4] += w[1] * v[2];
+    m[5] += w[2] * v[2];
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_square_in_a_plane_has_its_normal_as_the_least_axis() {
+        let points = [[5.0, 5.0, 2.0], [6.0, 5.0, 2.0], [5.0, 6.0, 2.0], [6.0, 6.0, 2.0]];
+        let e = ellipsoid(&points, 0, &[1, 2, 3]);
+        assert_eq!(e.centre, [0.5, 0.5, 0.0]);
+        assert_eq!(e.axes.values, [0.0, 0.25, 0.25]);
+        assert_eq!(e.axes.vectors[0].map(f64::abs), [0.0, 0.0, 1.0]);
+    }
+}

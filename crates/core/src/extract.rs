@@ -1,0 +1,221 @@
+//! The pipeline: from a cloud to its feature network.
+
+use crate::detect::penalty;
+use crate::frame::{Frame, Localised};
+use crate::link::{link, reach};
+use crate::math::vec3::{cross, norm, sub};
+use crate::measure::{Class, Measure};
+use crate::neighbors::{all_nearest, riemannian};
+use crate::network::Network;
+use crate::pattern::Pattern;
+use crate::recover::recover;
+use crate::resolution::Resolution;
+use crate::{Cloud, Error, Params};
+use std::time::Instant;
+
+/// Everything that [`extract`] found, stage by stage.
+#[derive(Clone, Debug)]
+pub struct Extraction {
+    /// Counts, estimates and times.
+    pub report: Report,
+    /// World frame to local frame.
+    pub frame: Frame,
+    /// `(M)` for each point kept, in canonical order, its index in the input.
+    pub source: Vec<u32>,
+    /// `(N)` for each point of the input its canonical index; `u32::MAX` if it was dropped.
+    pub canonical: Vec<u32>,
+    /// What the detector said of every point kept, canonical order, local frame.
+    pub measure: Measure,
+    /// What the linker made of it, canonical indices, local frame.
+    pub pattern: Pattern,
+    /// The result, world frame, sources as indices of the input.
+    pub network: Network,
+}
+
+/// What happened, for a summary.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Report {
+    /// Points given.
+    pub read: usize,
+    /// Points left out because a coordinate was not finite.
+    pub dropped: usize,
+    /// Points merged into an exact duplicate.
+    pub merged: usize,
+    /// Points kept.
+    pub points: usize,
+    /// Mean distance to the six nearest neighbours, corrected for noise; unit of the input.
+    pub spacing: f64,
+    /// Standard deviation of the noise along the surface normal; unit of the input.
+    pub noise: f64,
+    /// Seconds that each stage took.
+    pub stages: Vec<(Stage, f64)>,
+    /// The values chosen for parameters left to the data.
+    pub settings: Vec<(String, String)>,
+    /// What the user should know of this result.
+    pub notes: Vec<String>,
+}
+
+/// A stage of the pipeline.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Canonical order and local frame.
+    Localise,
+    /// Nearest neighbours and the neighbour graph.
+    Neighbors,
+    /// Point penalties.
+    Detect,
+    /// Patterns.
+    Link,
+    /// Strips, nodes and curves.
+    Recover,
+}
+
+impl Stage {
+    /// The name in progress lines and summaries.
+    pub fn name(self) -> &'static str {
+        match self {
+            Stage::Localise => "localise",
+            Stage::Neighbors => "neighbors",
+            Stage::Detect => "detect",
+            Stage::Link => "link",
+            Stage::Recover => "recover",
+        }
+    }
+}
+
+/// A stage that begins (`done` = 0) or ends (`done` = 1).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// Which stage.
+    pub stage: Stage,
+    /// Share done, 0 to 1.
+    pub done: f64,
+}
+
+/// Fewest distinct points that can lie on a surface.
+const LEAST_POINTS: usize = 4;
+
+/// Extracts the feature network of a cloud.
+///
+/// # Errors
+/// [`Error::Parameter`] for a value out of range; [`Error::TooFewPoints`], [`Error::Collinear`], [`Error::Extent`] or
+/// [`Error::TooManyPoints`] for a cloud that has no surface.
+pub fn extract(world: &Cloud, params: &Params) -> Result<Extraction, Error> {
+    extract_observed(world, params, &|_| ())
+}
+
+/// [`extract`], telling `observe` when each stage begins and ends.
+///
+/// # Errors
+/// As [`extract`].
+pub fn extract_observed(
+    world: &Cloud,
+    params: &Params,
+    observe: &(dyn Fn(Progress) + Sync),
+) -> Result<Extraction, Error> {
+    params.check()?;
+    let mut clock = Clock { observe, stages: Vec::new() };
+    let Localised { frame, positions, source, canonical, dropped, merged } =
+        clock.run(Stage::Localise, || Frame::localise(world))?;
+    refuse_degenerate(world.len(), &positions)?;
+
+    let (resolution, graph) = clock.run(Stage::Neighbors, || {
+        let nearest = all_nearest(&positions, params.neighbors.k);
+        (Resolution::estimate(&positions, &nearest), riemannian::graph(&positions, &nearest))
+    });
+    let resolution = match params.penalty.noise_spacings {
+        crate::params::Auto::Given(ratio) => Resolution { noise: ratio * resolution.spacing, ..resolution },
+        crate::params::Auto::Auto => resolution,
+    };
+    let reach = reach(&params.spanning, params.penalty.form, positions.len());
+    let mut measure =
+        clock.run(Stage::Detect, || penalty::penalty(&positions, &graph, resolution, &params.penalty));
+    let pattern = clock.run(Stage::Link, || link(&graph, &measure, resolution, &params.spanning, reach));
+    let network = clock.run(Stage::Recover, || recover(&pattern, resolution, &params.spline));
+
+    measure.class = crate::classify::classes(&positions, &network, resolution);
+    let report = Report {
+        read: world.len(),
+        dropped,
+        merged,
+        points: positions.len(),
+        spacing: frame.length_to_world(resolution.spacing),
+        noise: frame.length_to_world(resolution.noise),
+        stages: clock.stages,
+        settings: settings(params, resolution, reach),
+        notes: Vec::new(),
+    };
+    let network = to_world(network, &frame, &source);
+    Ok(Extraction { report, frame, source, canonical, measure, pattern, network })
+}
+
+impl Extraction {
+    /// `(N)` the class of every point of the input, in its order; dropped points are smooth.
+    pub fn classes(&self) -> Vec<Class> {
+        self.canonical.iter().map(|&c| self.measure.class.get(c as usize).copied().unwrap_or_default()).collect()
+    }
+
+    /// `(N)` the score of every point of the input, in its order, 0 to 1; NaN for dropped points.
+    pub fn scores(&self) -> Vec<f32> {
+        self.canonical.iter().map(|&c| self.measure.score.get(c as usize).copied().unwrap_or(f32::NAN)).collect()
+    }
+}
+
+struct Clock<'a> {
+    observe: &'a (dyn Fn(Progress) + Sync),
+    stages: Vec<(Stage, f64)>,
+}
+
+impl Clock<'_> {
+    fn run<T>(&mut self, stage: Stage, work: impl FnOnce() -> T) -> T {
+        (self.observe)(Progress { stage, done: 0.0 });
+        let start = Instant::now();
+        let result = work();
+        self.stages.push((stage, start.elapsed().as_secs_f64()));
+        (self.observe)(Progress { stage, done: 1.0 });
+        result
+    }
+}
+
+fn refuse_degenerate(read: usize, positions: &[[f64; 3]]) -> Result<(), Error> {
+    if positions.len() < LEAST_POINTS {
+        return Err(Error::TooFewPoints { read, distinct: positions.len(), needed: LEAST_POINTS });
+    }
+    let origin = positions[0];
+    let farthest = positions
+        .iter()
+        .map(|&p| sub(p, origin))
+        .fold([0.0; 3], |best, d| if norm(d) > norm(best) { d } else { best });
+    let length = norm(farthest);
+    let off_line = positions.iter().any(|&p| norm(cross(farthest, sub(p, origin))) > 1e-9 * length * length);
+    if off_line { Ok(()) } else { Err(Error::Collinear { distinct: positions.len() }) }
+}
+
+fn settings(params: &Params, resolution: Resolution, reach: crate::link::Reach) -> Vec<(String, String)> {
+    let derived = penalty::derive(&params.penalty, resolution);
+    vec![
+        ("penalty.hops".into(), derived.hops.to_string()),
+        ("penalty.alpha".into(), format!("{:.3}", derived.alpha)),
+        ("spanning.rho".into(), format!("{:.1} {}", reach.rho, if reach.in_edges { "edges" } else { "spacings" })),
+    ]
+}
+
+/// Positions into the world frame, sources into the order of the input.
+fn to_world(mut network: Network, frame: &Frame, source: &[u32]) -> Network {
+    let unit = frame.length_to_world(1.0);
+    for node in &mut network.nodes {
+        node.position = frame.to_world(node.position);
+        node.source = source[node.source as usize];
+    }
+    for strip in &mut network.strips {
+        for p in &mut strip.points {
+            *p = frame.to_world(*p);
+        }
+        strip.curve = strip.curve.mapped(|p| frame.to_world(p), unit);
+        strip.deviation *= unit;
+        for s in &mut strip.sources {
+            *s = source[*s as usize];
+        }
+    }
+    network
+}

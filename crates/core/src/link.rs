@@ -1,0 +1,64 @@
+//! Linkers: from what the points say to graphs of lines.
+
+mod prune;
+mod spanning;
+mod walk;
+mod weight;
+
+pub use prune::prune;
+pub use spanning::minimum_spanning_graph;
+pub use weight::{Candidate, candidate_edges};
+
+use crate::measure::{Measure, Penalties};
+use crate::neighbors::Neighbors;
+use crate::params::{Auto, PenaltyForm, SpanningParams};
+use crate::pattern::{LineGraph, Pattern};
+use crate::resolution::Resolution;
+
+/// How long is long: what the length of cycles and branches is measured in, and from where on they are kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reach {
+    /// Least length of a cycle; branches shorter than half of it are pruned (Gumhold's rho).
+    pub rho: f64,
+    /// Whether lengths count edges, as in the paper; otherwise they are spacings along the line.
+    pub in_edges: bool,
+    /// Least ratio of the area that a cycle encloses to its length, spacings: keeps two strands of one band from passing
+    /// for a loop. Zero in the paper's form.
+    pub openness: f64,
+}
+
+/// Length in spacings of the shortest loop that is told from noise when `rho` is left to the data.
+const LEAST_LOOP: f64 = 10.0;
+
+/// `rho` as given, in edges; else half the root of the number of points in the paper's form (section 3.2), and a length
+/// that small holes still have in the robust form.
+pub fn reach(params: &SpanningParams, form: PenaltyForm, points: usize) -> Reach {
+    let openness = if form == PenaltyForm::Paper { 0.0 } else { 0.5 };
+    match (params.rho, form) {
+        (Auto::Given(rho), _) => Reach { rho: rho as f64, in_edges: true, openness },
+        (Auto::Auto, PenaltyForm::Paper) => {
+            Reach { rho: 0.5 * (points as f64).sqrt(), in_edges: true, openness }
+        }
+        (Auto::Auto, PenaltyForm::Robust) => Reach { rho: LEAST_LOOP, in_edges: false, openness },
+    }
+}
+
+/// Links the candidates of both kinds into a pattern (Gumhold 2001, sections 3.2 and 3.3).
+pub fn link(
+    graph: &Neighbors,
+    measure: &Measure,
+    resolution: Resolution,
+    params: &SpanningParams,
+    reach: Reach,
+) -> Pattern {
+    let lines = |wanted: bool, penalties: &Penalties| -> LineGraph {
+        if !wanted {
+            return LineGraph::default();
+        }
+        let edges = candidate_edges(graph, measure, penalties, resolution, params.tau);
+        let mut lines = minimum_spanning_graph(penalties, &edges, resolution, reach);
+        prune(&mut lines, resolution, reach);
+        lines
+    };
+    Pattern { crease: lines(params.creases, &measure.crease), border: lines(params.borders, &measure.border) }
+}

@@ -1,0 +1,49 @@
+//! Pruning of short branches (Gumhold 2001, section 3.3).
+
+use super::Reach;
+use super::walk::Walker;
+use crate::pattern::LineGraph;
+use crate::resolution::Resolution;
+
+/// Takes away branches less deep than half of `reach.rho`, but leaves each singleton end its longest path.
+///
+/// Both steps of the paper are one rule here: where `n` of the branches at a vertex are long, all short ones go but the
+/// `2 - n` deepest. Repeated until nothing changes, as a removal can lay an end open.
+pub fn prune(lines: &mut LineGraph, resolution: Resolution, reach: Reach) {
+    let mut walker = Walker::new(lines.edges.len(), resolution, reach);
+    loop {
+        let mut changed = false;
+        for v in 0..lines.edges.len() as u32 {
+            if lines.edges[v as usize].len() > 2 {
+                changed |= prune_at(lines, &mut walker, v, 0.5 * reach.rho);
+            }
+        }
+        if !changed {
+            break;
+        }
+    }
+}
+
+fn prune_at(lines: &mut LineGraph, walker: &mut Walker, v: u32, long: f64) -> bool {
+    let mut depths: Vec<(f64, u32)> =
+        lines.edges[v as usize].clone().into_iter().map(|w| (walker.depth(lines, v, w, long), w)).collect();
+    depths.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    let long_count = depths.iter().filter(|d| d.0.is_infinite()).count();
+    let gone = &depths[long_count.max(2)..];
+    for &(_, first) in gone {
+        remove_branch(lines, v, first);
+    }
+    !gone.is_empty()
+}
+
+/// Removes the tree that hangs on `root` through `first`.
+fn remove_branch(lines: &mut LineGraph, root: u32, first: u32) {
+    lines.remove_edge(root, first);
+    let mut open = vec![first];
+    while let Some(v) = open.pop() {
+        for w in std::mem::take(&mut lines.edges[v as usize]) {
+            lines.edges[w as usize].retain(|&x| x != v);
+            open.push(w);
+        }
+    }
+}

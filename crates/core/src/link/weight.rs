@@ -1,0 +1,77 @@
+//! Edge weights (Gumhold 2001, section 3.2, `w_c` and `w_b`).
+
+use crate::math::vec3::{add_scaled, dot, norm, scale, sub};
+use crate::measure::{Direction, Measure, Penalties};
+use crate::neighbors::Neighbors;
+use crate::resolution::Resolution;
+use rayon::prelude::*;
+
+/// An edge between two candidates that may enter a pattern.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Candidate {
+    /// Penalty share plus length over mean density.
+    pub weight: f64,
+    /// Lesser candidate (index into [`Penalties`]).
+    pub a: u32,
+    /// Greater candidate.
+    pub b: u32,
+}
+
+/// The edges of the neighbour graph between candidates whose penalty share stays below `tau`, in ascending order of weight,
+/// ties by index.
+pub fn candidate_edges(
+    graph: &Neighbors,
+    measure: &Measure,
+    penalties: &Penalties,
+    resolution: Resolution,
+    tau: f64,
+) -> Vec<Candidate> {
+    let mut edges: Vec<Candidate> = (0..penalties.len())
+        .into_par_iter()
+        .with_min_len(256)
+        .flat_map_iter(|a| {
+            let own = penalties.points[a];
+            graph.of(own as usize).iter().filter(move |&&other| other > own).filter_map(move |other| {
+                let b = penalties.points.binary_search(other).ok()?;
+                let density = f64::from(measure.density[own as usize] + measure.density[*other as usize]);
+                weigh(penalties, a, b, density, resolution, tau)
+            })
+        })
+        .collect();
+    edges.par_sort_unstable_by(|x, y| x.weight.total_cmp(&y.weight).then((x.a, x.b).cmp(&(y.a, y.b))));
+    edges
+}
+
+/// The weight of the edge between the candidates `a` and `b`; `None` at or above `tau`. `density` is the sum of both.
+fn weigh(
+    penalties: &Penalties,
+    a: usize,
+    b: usize,
+    density: f64,
+    resolution: Resolution,
+    tau: f64,
+) -> Option<Candidate> {
+    let edge = sub(penalties.foot[b], penalties.foot[a]);
+    let length = norm(edge);
+    let directional: f64 = [a, b]
+        .map(|i| {
+            let vector = penalties.vector[i].map(f64::from);
+            let penalty = match penalties.direction {
+                Direction::Along if length > 0.0 => dot(vector, edge).abs() / length,
+                Direction::Along => 0.0,
+                Direction::Across => {
+                    let certainty = norm(vector);
+                    let unit = scale(vector, 1.0 / certainty.max(1e-9));
+                    let across = norm(add_scaled(edge, unit, -dot(edge, unit)));
+                    certainty * (across / resolution.spacing).min(1.0)
+                }
+            };
+            penalty.min(f64::from(penalties.corner[i]))
+        })
+        .iter()
+        .sum();
+    let scalar = f64::from(penalties.scalar[a] + penalties.scalar[b]);
+    let share = penalties.share * scalar + (1.0 - penalties.share) * directional;
+    let weight = share + if density > 0.0 { 2.0 * length / density } else { 0.0 };
+    (share < tau).then_some(Candidate { weight, a: a as u32, b: b as u32 })
+}

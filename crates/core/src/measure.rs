@@ -1,0 +1,99 @@
+//! What a detector says of every point.
+
+/// The output of a detector: one row a point, canonical order, local frame.
+///
+/// Any detector can feed any linker. A linker for lines reads the two [`Penalties`]; a viewer reads `score` and `class`.
+#[derive(Clone, Debug, Default)]
+pub struct Measure {
+    /// `(N)` mean distance to the direct neighbours in the neighbour graph (Gumhold 2001, equation 1), spacings.
+    pub density: Vec<f32>,
+    /// `(N)` evidence of a feature, 0 smooth to 1 certain.
+    pub score: Vec<f32>,
+    /// `(N)` what the point is; set when the network is known.
+    pub class: Vec<Class>,
+    /// `(N, 3)` unit normals without orientation.
+    pub normal: Vec<[f32; 3]>,
+    /// Against being on a crease.
+    pub crease: Penalties,
+    /// Against being on a border.
+    pub border: Penalties,
+}
+
+/// The penalties of the points that may lie on one kind of line; all others are left out, as nothing else can enter a
+/// pattern.
+#[derive(Clone, Debug, Default)]
+pub struct Penalties {
+    /// `(M)` candidates as point indices, ascending.
+    pub points: Vec<u32>,
+    /// `(M)` penalty in `[0, 1]` whatever the direction: Gumhold's curvature penalty of a crease, open angle of a border.
+    pub scalar: Vec<f32>,
+    /// `(M, 3)` vector penalty, in the sense of `direction`.
+    pub vector: Vec<[f32; 3]>,
+    /// `(M)` bound of the vector penalty: at a corner no direction is preferred.
+    pub corner: Vec<f32>,
+    /// `(M, 3)` where on the line the point says that it is; its own position if it cannot tell.
+    pub foot: Vec<[f64; 3]>,
+    /// How `vector` acts on an edge.
+    pub direction: Direction,
+    /// Share of `scalar` in the weight of an edge, the rest is the vector penalty's.
+    pub share: f64,
+}
+
+/// How a vector penalty weighs an edge.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Direction {
+    /// As printed in Gumhold 2001: the penalty is the part of the vector along the unit edge.
+    #[default]
+    Along,
+    /// The vector is the line's direction times its certainty; the penalty is how far the edge leaves it, in spacings.
+    Across,
+}
+
+/// What a point is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(u8)]
+pub enum Class {
+    /// On no line.
+    #[default]
+    Smooth = 0,
+    /// On a crease.
+    Crease = 1,
+    /// On a border.
+    Border = 2,
+    /// Where lines meet, end or turn.
+    Corner = 3,
+}
+
+impl Penalties {
+    /// Appends a candidate.
+    pub fn push(&mut self, point: u32, row: Row) {
+        self.points.push(point);
+        self.scalar.push(row.scalar);
+        self.vector.push(row.vector);
+        self.corner.push(row.corner);
+        self.foot.push(row.foot);
+    }
+
+    /// The number of candidates.
+    pub fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    /// Whether there is no candidate.
+    pub fn is_empty(&self) -> bool {
+        self.points.is_empty()
+    }
+}
+
+/// The penalties of one candidate, as in [`Penalties`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// Penalty in `[0, 1]` whatever the direction.
+    pub scalar: f32,
+    /// Vector penalty.
+    pub vector: [f32; 3],
+    /// Bound of the vector penalty.
+    pub corner: f32,
+    /// Where on the line the point says that it is.
+    pub foot: [f64; 3],
+}

@@ -1,0 +1,82 @@
+//! All parameters, with their defaults, units and ranges in one place.
+//!
+//! The program's `--set key=value`, its parameter files and its help, and every other front end, read this table: a default
+//! stands nowhere else. Lengths are in spacings of the cloud, angles in degrees.
+
+mod table;
+mod value;
+
+pub use table::Entry;
+pub use value::{Auto, ParamValue};
+
+use crate::Error;
+use table::sections;
+
+sections! {
+    /// Every parameter of the pipeline. `Params::default()` needs no change for any cloud.
+    pub struct Params;
+
+    /// The graph that says which points lie beside each other.
+    neighbors: NeighborParams {
+        /// Nearest neighbours that a point is joined with in the Riemannian graph (Gumhold 2001, section 2.1: 10 to 16).
+        k: usize = 12, "points", 4.0..=64.0;
+    }
+
+    /// Gumhold's penalty functions (Gumhold 2001, section 3.1).
+    penalty: PenaltyParams {
+        /// `robust` measures curvature against the noise and a reference fold; `paper` is equations 4 to 9 as printed,
+        /// normalised by the greatest curvature found, which a single outlier can spoil.
+        form: PenaltyForm = PenaltyForm::Robust, "", 0.0..=0.0;
+        /// Graph distance up to which points belong to a neighbourhood; auto: from the noise.
+        hops: Auto<usize> = Auto::Auto, "edges", 1.0..=5.0;
+        /// Share of the curvature penalty in the crease weight, the rest being direction (0.5 without noise, 0.2 with
+        /// much); auto: from the noise.
+        alpha: Auto<f64> = Auto::Auto, "", 0.0..=1.0;
+        /// Share of the open angle in the border weight.
+        gamma: f64 = 0.5, "", 0.0..=1.0;
+        /// Fold angle between two faces at which a crease becomes one (robust form only).
+        fold_deg: f64 = 25.0, "degrees", 1.0..=120.0;
+        /// Standard deviation of the noise along the surface normal; auto: estimated from the cloud.
+        noise_spacings: Auto<f64> = Auto::Auto, "spacings", 0.0..=10.0;
+    }
+
+    /// The minimum spanning graph and its pruning (Gumhold 2001, sections 3.2 and 3.3).
+    spanning: SpanningParams {
+        /// Edges whose penalty share exceeds this are never part of a pattern.
+        tau: f64 = 1.0, "", 0.0..=2.0;
+        /// Edges that a cycle needs to be kept, and twice those of a branch; auto: half the root of the number of points.
+        rho: Auto<usize> = Auto::Auto, "edges", 3.0..=1000000.0;
+        /// Whether creases are looked for.
+        creases: bool = true, "", 0.0..=0.0;
+        /// Whether borders are looked for.
+        borders: bool = true, "", 0.0..=0.0;
+    }
+
+    /// The curves fitted through the pattern (Gumhold 2001, section 4).
+    spline: SplineParams {
+        /// Length of strip for each span of the spline; auto: from the noise.
+        span_spacings: Auto<f64> = Auto::Auto, "spacings", 0.5..=1000.0;
+        /// Distance between the points that a curve is written with.
+        step_spacings: f64 = 0.5, "spacings", 0.01..=100.0;
+    }
+}
+
+/// Which form of Gumhold's penalties is used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PenaltyForm {
+    /// Measured against noise and a reference fold: no global maximum.
+    Robust,
+    /// Equations 4 to 9 as printed.
+    Paper,
+}
+
+value::choices! { PenaltyForm { Robust = "robust", Paper = "paper" } }
+
+/// The detection method that runs, under the name of its paper's idea.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Gumhold 2001: penalties and the minimum spanning graph.
+    Penalty,
+}
+
+value::choices! { Method { Penalty = "penalty" } }

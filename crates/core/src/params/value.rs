@@ -1,0 +1,124 @@
+//! The types that a parameter can have, and how they read and print.
+
+/// A parameter that follows from the data unless it is given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Auto<T> {
+    /// Derived from the data.
+    Auto,
+    /// As given.
+    Given(T),
+}
+
+impl<T: Copy> Auto<T> {
+    /// The given value, or what `derive` says.
+    pub fn or(self, derive: impl FnOnce() -> T) -> T {
+        match self {
+            Auto::Auto => derive(),
+            Auto::Given(value) => value,
+        }
+    }
+}
+
+/// How a parameter of this type reads from text, prints and is compared with its range.
+pub trait ParamValue: Sized {
+    /// Reads the text of a command line or parameter file; `None` when it is not of this type.
+    fn parse(text: &str) -> Option<Self>;
+    /// The text that `parse` reads back.
+    fn show(&self) -> String;
+    /// The number to hold against the range; `None` when there is none to hold.
+    fn number(&self) -> Option<f64>;
+    /// What values there are, given the numeric range.
+    fn accepts(range: &std::ops::RangeInclusive<f64>) -> String;
+}
+
+impl ParamValue for usize {
+    fn parse(text: &str) -> Option<Self> {
+        text.parse().ok()
+    }
+    fn show(&self) -> String {
+        self.to_string()
+    }
+    fn number(&self) -> Option<f64> {
+        Some(*self as f64)
+    }
+    fn accepts(range: &std::ops::RangeInclusive<f64>) -> String {
+        format!("a whole number from {} to {}", range.start(), range.end())
+    }
+}
+
+impl ParamValue for f64 {
+    fn parse(text: &str) -> Option<Self> {
+        text.parse().ok().filter(|x: &f64| x.is_finite())
+    }
+    fn show(&self) -> String {
+        format!("{self:?}")
+    }
+    fn number(&self) -> Option<f64> {
+        Some(*self)
+    }
+    fn accepts(range: &std::ops::RangeInclusive<f64>) -> String {
+        format!("a number from {} to {}", range.start(), range.end())
+    }
+}
+
+impl ParamValue for bool {
+    fn parse(text: &str) -> Option<Self> {
+        text.parse().ok()
+    }
+    fn show(&self) -> String {
+        self.to_string()
+    }
+    fn number(&self) -> Option<f64> {
+        None
+    }
+    fn accepts(_: &std::ops::RangeInclusive<f64>) -> String {
+        "true or false".into()
+    }
+}
+
+impl<T: ParamValue> ParamValue for Auto<T> {
+    fn parse(text: &str) -> Option<Self> {
+        if text == "auto" { Some(Auto::Auto) } else { T::parse(text).map(Auto::Given) }
+    }
+    fn show(&self) -> String {
+        match self {
+            Auto::Auto => "auto".into(),
+            Auto::Given(value) => value.show(),
+        }
+    }
+    fn number(&self) -> Option<f64> {
+        match self {
+            Auto::Auto => None,
+            Auto::Given(value) => value.number(),
+        }
+    }
+    fn accepts(range: &std::ops::RangeInclusive<f64>) -> String {
+        format!("auto or {}", T::accepts(range))
+    }
+}
+
+/// Implements [`ParamValue`] for an enum of named choices.
+macro_rules! choices {
+    ($type:ident { $($variant:ident = $name:literal),+ }) => {
+        impl $crate::params::ParamValue for $type {
+            fn parse(text: &str) -> Option<Self> {
+                match text {
+                    $($name => Some($type::$variant),)+
+                    _ => None,
+                }
+            }
+            fn show(&self) -> String {
+                match self {
+                    $($type::$variant => $name.into(),)+
+                }
+            }
+            fn number(&self) -> Option<f64> {
+                None
+            }
+            fn accepts(_: &std::ops::RangeInclusive<f64>) -> String {
+                concat!("one of", $(" ", $name),+).into()
+            }
+        }
+    };
+}
+pub(crate) use choices;

@@ -1,0 +1,114 @@
+//! From a pattern to a network: strips between nodes, each with its curve.
+
+mod nodes;
+mod strips;
+
+pub use strips::{Path, paths};
+
+use crate::curve::{FitOptions, fit};
+use crate::math::vec3::{distance, distance2};
+use crate::network::{Network, Node, NodeKind, Strip, StripKind};
+use crate::params::SplineParams;
+use crate::pattern::{LineGraph, Pattern};
+use crate::resolution::Resolution;
+
+/// Strips and nodes of a pattern, with smooth curves (Gumhold 2001, section 4, the simple solution); local frame, sources as
+/// canonical indices.
+pub fn recover(pattern: &Pattern, resolution: Resolution, params: &SplineParams) -> Network {
+    let mut network = Network::default();
+    for kind in [StripKind::Crease, StripKind::Border] {
+        append(&mut network, kind, pattern.of(kind), resolution, params);
+    }
+    network
+}
+
+fn append(
+    network: &mut Network,
+    kind: StripKind,
+    lines: &LineGraph,
+    resolution: Resolution,
+    params: &SplineParams,
+) {
+    let (paths, clusters) = nodes::meet(lines, paths(lines), resolution);
+    let first = network.nodes.len() as u32;
+    for cluster in &clusters {
+        network.nodes.push(Node {
+            position: cluster.position,
+            kind: NodeKind::End,
+            degree: 0,
+            source: lines.points[cluster.vertex as usize],
+        });
+    }
+    for path in paths {
+        let ends = path.ends.map(|[a, b]| [first + a, first + b]);
+        network.strips.push(strip(network, kind, lines, &path, ends, resolution, params));
+        for node in ends.into_iter().flatten() {
+            network.nodes[node as usize].degree += 1;
+        }
+    }
+    for node in &mut network.nodes[first as usize..] {
+        node.kind = match node.degree {
+            0 => NodeKind::Apex,
+            1 => NodeKind::End,
+            2 => NodeKind::Corner,
+            _ => NodeKind::Junction,
+        };
+    }
+}
+
+/// The span that suits the noise: more data for a control point where each says less.
+fn span(params: &SplineParams, resolution: Resolution) -> f64 {
+    let ratio = resolution.noise / resolution.spacing;
+    params.span_spacings.or(|| 3.0 + 6.0 * ratio.min(1.0)) * resolution.spacing
+}
+
+fn strip(
+    network: &Network,
+    kind: StripKind,
+    lines: &LineGraph,
+    path: &Path,
+    ends: Option<[u32; 2]>,
+    resolution: Resolution,
+    params: &SplineParams,
+) -> Strip {
+    let mut positions: Vec<[f64; 3]> = path.vertices.iter().map(|&v| lines.positions[v as usize]).collect();
+    if let Some([start, end]) = ends {
+        let last = positions.len() - 1;
+        positions[0] = network.nodes[start as usize].position;
+        positions[last] = network.nodes[end as usize].position;
+    }
+    let options = FitOptions { span: span(params, resolution), smoothing: 0.1, closed: ends.is_none() };
+    let (curve, parameters) = fit(&positions, options);
+    let squares: f64 =
+        positions.iter().zip(&parameters).map(|(&p, &t)| distance2(p, curve.point(t))).sum();
+    let penalty: f64 = path.vertices.iter().map(|&v| f64::from(lines.penalty[v as usize])).sum();
+    let mut sources: Vec<u32> = path.vertices.iter().map(|&v| lines.points[v as usize]).collect();
+    sources.dedup();
+    Strip {
+        kind,
+        closed: ends.is_none(),
+        start: ends.map(|e| e[0]),
+        end: ends.map(|e| e[1]),
+        points: polyline(&curve, params.step_spacings * resolution.spacing),
+        curve,
+        sources,
+        deviation: (squares / positions.len() as f64).sqrt(),
+        confidence: (1.0 - penalty / path.vertices.len() as f64).clamp(0.0, 1.0),
+    }
+}
+
+/// Points on the curve about `step` apart; a closed curve's first is not repeated.
+fn polyline(curve: &crate::curve::BSpline, step: f64) -> Vec<[f64; 3]> {
+    let (from, to) = curve.domain();
+    let pieces = (((to - from) / step).ceil() as usize).max(if curve.periodic { 3 } else { 1 });
+    let last = if curve.periodic { pieces - 1 } else { pieces };
+    let mut points: Vec<[f64; 3]> =
+        (0..=last).map(|i| curve.point(from + (to - from) * i as f64 / pieces as f64)).collect();
+    if !curve.periodic {
+        // The curve's ends are its end controls; written so, they equal the nodes to the bit.
+        points[0] = curve.controls[0];
+        points[last] = curve.controls[curve.controls.len() - 1];
+    }
+    points.dedup_by(|a, b| distance(*a, *b) == 0.0);
+    points
+}

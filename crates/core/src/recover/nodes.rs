@@ -1,0 +1,78 @@
+//! Nodes: junction vertices of the pattern that lie within a few spacings are one node.
+//!
+//! The minimum spanning graph meets three lines in two or three neighbouring vertices as often as in one. Strips shorter
+//! than the neighbourhood cannot be told from that, so they are contracted, and what they joined becomes one node.
+
+use super::strips::Path;
+use crate::math::union_find::UnionFind;
+use crate::math::vec3::{add, add_scaled, distance, scale};
+use crate::pattern::LineGraph;
+use crate::resolution::Resolution;
+
+/// Strips between two junctions up to this many spacings long are taken for one junction.
+const CONTRACTED: f64 = 3.0;
+
+/// One node.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cluster {
+    /// Local frame.
+    pub position: [f64; 3],
+    /// The vertex of the pattern that stands for it.
+    pub vertex: u32,
+}
+
+/// Contracts short strips and numbers the nodes: the paths that remain, their ends as indices into the clusters.
+pub fn meet(lines: &LineGraph, paths: Vec<Path>, resolution: Resolution) -> (Vec<Path>, Vec<Cluster>) {
+    let mut sets = UnionFind::new(lines.edges.len());
+    let short: Vec<bool> = paths.iter().map(|p| is_short(lines, p, resolution)).collect();
+    for (path, _) in paths.iter().zip(&short).filter(|(_, s)| **s) {
+        if let Some([a, b]) = path.ends {
+            sets.union(a, b);
+        }
+    }
+    let mut members: Vec<(u32, u32)> = paths.iter().filter_map(|p| p.ends).flatten().map(|v| (sets.find(v), v)).collect();
+    members.sort_unstable();
+    members.dedup();
+    let groups: Vec<&[(u32, u32)]> = members.chunk_by(|a, b| a.0 == b.0).collect();
+    let clusters: Vec<Cluster> = groups.iter().map(|g| cluster(lines, g)).collect();
+    let mut number = vec![0; lines.edges.len()];
+    for (g, group) in groups.iter().enumerate() {
+        for &(_, v) in *group {
+            number[v as usize] = g as u32;
+        }
+    }
+    let kept = paths
+        .into_iter()
+        .zip(short)
+        .filter(|(_, short)| !short)
+        .map(|(p, _)| Path { ends: p.ends.map(|e| e.map(|v| number[v as usize])), ..p })
+        .collect();
+    (kept, clusters)
+}
+
+/// Whether the strip lies between two junctions and is too short to be one.
+fn is_short(lines: &LineGraph, path: &Path, resolution: Resolution) -> bool {
+    let Some([a, b]) = path.ends else { return false };
+    let junctions = lines.edges[a as usize].len() > 2 && lines.edges[b as usize].len() > 2;
+    let length: f64 = path
+        .vertices
+        .windows(2)
+        .map(|w| distance(lines.positions[w[0] as usize], lines.positions[w[1] as usize]))
+        .sum();
+    junctions && length <= CONTRACTED * resolution.spacing
+}
+
+/// The mean of the vertices, those that know no preferred direction counting most.
+fn cluster(lines: &LineGraph, group: &[(u32, u32)]) -> Cluster {
+    let (mut sum, mut total) = ([0.0; 3], 0.0);
+    let mut best = group[0].1;
+    for &(_, v) in group {
+        let weight = 1.02 - f64::from(lines.corner[v as usize].clamp(0.0, 1.0));
+        sum = add_scaled(sum, lines.positions[v as usize], weight);
+        total += weight;
+        if lines.corner[v as usize] < lines.corner[best as usize] {
+            best = v;
+        }
+    }
+    Cluster { position: add([0.0; 3], scale(sum, 1.0 / total)), vertex: best }
+}

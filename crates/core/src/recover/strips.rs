@@ -1,0 +1,61 @@
+//! Crease strips: the maximal paths of a pattern between vertices of degree other than two, and its closed loops
+//! (Gumhold 2001, section 4.1).
+
+use crate::pattern::LineGraph;
+
+/// A strip as a path through the pattern.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Path {
+    /// Vertices in order; a loop's first is not repeated.
+    pub vertices: Vec<u32>,
+    /// The nodes at both ends; `None` for a loop.
+    pub ends: Option<[u32; 2]>,
+}
+
+/// All strips, each once: those with ends from their lesser vertex on, then the loops from their least vertex.
+pub fn paths(lines: &LineGraph) -> Vec<Path> {
+    let degree = |v: u32| lines.edges[v as usize].len();
+    let mut used = vec![false; lines.edges.len()];
+    let mut paths = Vec::new();
+    for v in 0..lines.edges.len() as u32 {
+        if degree(v) == 0 || degree(v) == 2 {
+            continue;
+        }
+        for &next in &lines.edges[v as usize] {
+            let vertices = follow(lines, v, next);
+            let last = vertices[vertices.len() - 1];
+            // Seen from both ends; a strip that comes back to its own node is seen in both directions.
+            let mirror = (last, vertices[vertices.len() - 2]);
+            if (v, next) <= mirror {
+                for &w in &vertices {
+                    used[w as usize] = true;
+                }
+                paths.push(Path { vertices, ends: Some([v, last]) });
+            }
+        }
+    }
+    for v in 0..lines.edges.len() as u32 {
+        if degree(v) == 2 && !used[v as usize] {
+            let mut vertices = follow(lines, v, lines.edges[v as usize][0]);
+            vertices.pop();
+            for &w in &vertices {
+                used[w as usize] = true;
+            }
+            paths.push(Path { vertices, ends: None });
+        }
+    }
+    paths
+}
+
+/// Walks from `v` over `next` until a vertex of degree other than two, or `v` again.
+fn follow(lines: &LineGraph, v: u32, next: u32) -> Vec<u32> {
+    let mut vertices = vec![v, next];
+    let (mut before, mut at) = (v, next);
+    while lines.edges[at as usize].len() == 2 && at != v {
+        let pair = &lines.edges[at as usize];
+        let onward = if pair[0] == before { pair[1] } else { pair[0] };
+        vertices.push(onward);
+        (before, at) = (at, onward);
+    }
+    vertices
+}
