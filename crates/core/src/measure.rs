@@ -33,6 +33,9 @@ pub struct Penalties {
     pub corner: Vec<f32>,
     /// `(M, 3)` where on the line the point says that it is; its own position if it cannot tell.
     pub foot: Vec<[f64; 3]>,
+    /// `(M)` evidence that the line is sharp, in variances of the noise; negative speaks for a smooth surface. Zero where
+    /// the detector has no such test.
+    pub evidence: Vec<f32>,
     /// How `vector` acts on an edge.
     pub direction: Direction,
     /// Share of `scalar` in the weight of an edge, the rest is the vector penalty's.
@@ -72,6 +75,7 @@ impl Penalties {
         self.vector.push(row.vector);
         self.corner.push(row.corner);
         self.foot.push(row.foot);
+        self.evidence.push(row.evidence);
     }
 
     /// The number of candidates.
@@ -96,4 +100,6 @@ pub struct Row {
     pub corner: f32,
     /// Where on the line the point says that it is.
     pub foot: [f64; 3],
+    /// Evidence that the line is sharp.
+    pub evidence: f32,
 }

@@ -50,10 +50,10 @@ pub fn penalties(
         measure.normal.push(single(row.normal));
         let foot = points[i];
         let crease =
-            Row { scalar: curvature as f32, vector: single(row.crease), corner: row.corner as f32, foot };
+            Row { scalar: curvature as f32, vector: single(row.crease), corner: row.corner as f32, foot, evidence: 0.0 };
         measure.crease.push(i as u32, crease);
         let border =
-            Row { scalar: row.opening as f32, vector: single(row.border), corner: f32::INFINITY, foot };
+            Row { scalar: row.opening as f32, vector: single(row.border), corner: f32::INFINITY, foot, evidence: 0.0 };
         measure.border.push(i as u32, border);
     }
     measure

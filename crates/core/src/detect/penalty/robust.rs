@@ -14,6 +14,7 @@
 //!   acute crease, where one face hides the other.
 
 use super::{Derived, density};
+use crate::detect::fold::CrossSection;
 use crate::detect::normals::{Normals, normals};
 use crate::detect::open_angle::{chance_opening, open_angle};
 use crate::detect::tensor::{add_product, ellipsoid};
@@ -28,6 +29,11 @@ use std::f64::consts::{PI, TAU};
 
 /// Chance that a point within the surface shows its open angle by accident.
 const BORDER_CHANCE: f64 = 1e-3;
+
+/// Evidence at which a single point is known to lie on a round, whatever the rest of its chain says.
+const CLEARLY_SMOOTH: f32 = -4.0;
+/// How far real faces leave the shapes of a cross-section within a neighbourhood, spacings.
+const MODEL_ERROR: f64 = 0.04;
 
 /// What every point needs to know.
 struct Context<'a> {
@@ -67,7 +73,7 @@ pub fn penalties(
     let rows: Vec<Point> = (0..points.len())
         .into_par_iter()
         .with_min_len(1024)
-        .map_init(Default::default, |(scratch, angles), i| context.point(i, scratch, angles))
+        .map_init(Default::default, |(scratch, angles, section), i| context.point(i, scratch, angles, section))
         .collect();
     let mut measure = Measure {
         crease: Penalties { share: derived.alpha, direction: Direction::Across, ..Default::default() },
@@ -89,13 +95,21 @@ pub fn penalties(
 }
 
 impl Context<'_> {
-    fn point(&self, i: usize, scratch: &mut Scratch, angles: &mut Vec<f64>) -> Point {
+    fn point(
+        &self,
+        i: usize,
+        scratch: &mut Scratch,
+        angles: &mut Vec<f64>,
+        section: &mut CrossSection,
+    ) -> Point {
         let near = self.graph.of(i);
         let (tensor, pull) = self.normal_tensor(i, near);
         let fold = tensor.values[1].max(0.0).sqrt();
         let penalty = 1.0 - fold / (2.0 * self.least_fold);
-        let crease = (penalty < 0.75).then(|| self.crease(i, &tensor, pull, penalty.max(0.0)));
         let wide = self.graph.hops(i, self.hops.max(2), scratch);
+        let crease = (penalty < 0.75)
+            .then(|| self.crease(i, &tensor, pull, penalty.max(0.0), wide, section))
+            .filter(|row| row.evidence > CLEARLY_SMOOTH);
         let border = if fold < (0.3 * PI).sin() { self.border(i, wide, angles) } else { None };
         Point {
             density: density(self.points, self.graph, i) as f32,
@@ -120,7 +134,7 @@ impl Context<'_> {
         (eigen3(&tensor.map(|x| x * inverse)), scale(pull, inverse))
     }
 
-    fn crease(&self, i: usize, tensor: &Eigen3, pull: [f64; 3], penalty: f64) -> Row {
+    fn crease(&self, i: usize, tensor: &Eigen3, pull: [f64; 3], penalty: f64, wide: &[u32], section: &mut CrossSection) -> Row {
         let [least, middle, _] = tensor.values.map(|x| x.max(0.0));
         let corner = least.sqrt() > self.least_fold;
         let mut shift = [0.0; 3];
@@ -136,7 +150,42 @@ impl Context<'_> {
             vector: scale(tensor.vectors[0], certainty).map(|x| x as f32),
             corner: (1.0 - (least.sqrt() / self.least_fold).min(1.0)) as f32,
             foot,
+            evidence: self.evidence(i, tensor, foot, wide, section) as f32,
         }
+    }
+
+    /// Whether the cross-section through `foot` is sharp. At a corner there is no one cross-section: that says nothing.
+    fn evidence(
+        &self,
+        i: usize,
+        tensor: &Eigen3,
+        foot: [f64; 3],
+        wide: &[u32],
+        section: &mut CrossSection,
+    ) -> f64 {
+        let h = self.resolution.spacing;
+        let [along, middle, most] = tensor.vectors;
+        if tensor.values[0].max(0.0).sqrt() > self.least_fold {
+            return 0.0;
+        }
+        let (mut centre, mut count) = ([0.0; 3], 0.0);
+        for &j in wide {
+            centre = add(centre, sub(self.points[j as usize], foot));
+            count += 1.0;
+        }
+        let lean = [dot(centre, middle) / count, dot(centre, most) / count];
+        let blunt = tensor.values[1] < 0.3 * tensor.values[2];
+        let (up, across) = if blunt || lean[1].abs() >= lean[0].abs() { (most, middle) } else { (middle, most) };
+        section.clear();
+        for j in wide.iter().map(|&j| j as usize).chain([i]) {
+            let d = sub(self.points[j], foot);
+            let (u, s) = (dot(d, along) / h, dot(d, across) / h);
+            if u.abs() <= 2.0 && s.abs() <= 3.0 {
+                section.push(s, dot(d, up) / h);
+            }
+        }
+        let variance = (self.resolution.noise / h).powi(2) + MODEL_ERROR * MODEL_ERROR;
+        section.fold(variance).map_or(0.0, |f| f.evidence)
     }
 
     fn border(&self, i: usize, wide: &[u32], angles: &mut Vec<f64>) -> Option<Row> {
@@ -152,6 +201,7 @@ impl Context<'_> {
             vector: along.map(|x| x as f32),
             corner: if opening.angle > 1.2 * PI { 0.5 } else { 1.0 },
             foot: self.points[i],
+            evidence: 0.0,
         })
     }
 }
