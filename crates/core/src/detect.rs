@@ -1,5 +1,6 @@
 //! Detectors: what every point says of the lines it may lie on.
 
+pub mod consensus;
 pub mod fold;
 pub mod normals;
 pub mod open_angle;

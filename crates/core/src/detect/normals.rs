@@ -4,7 +4,7 @@
 //! separate them: each normal becomes the mean of the neighbouring ones that agree with it in angle and whose points lie
 //! in its plane. This departs from the paper, whose penalties have no need of normals; the robust form has.
 
-use super::tensor::ellipsoid;
+use super::consensus::{consensus_normals, tolerance};
 use crate::math::vec3::{add_scaled, dot, sub, unit};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::resolution::Resolution;
@@ -26,13 +26,7 @@ pub struct Normals {
 
 /// Estimates the normals from neighbourhoods of graph distance `hops`.
 pub fn normals(points: &[[f64; 3]], graph: &Neighbors, hops: usize, resolution: Resolution) -> Normals {
-    let vectors = (0..points.len())
-        .into_par_iter()
-        .with_min_len(1024)
-        .map_init(Scratch::default, |scratch, i| {
-            ellipsoid(points, i, graph.hops(i, hops, scratch)).axes.vectors[0].map(|x| x as f32)
-        })
-        .collect();
+    let vectors = consensus_normals(points, graph, hops, resolution);
     let mut normals = Normals { vectors, support: vec![1.0; points.len()] };
     for _ in 0..PASSES {
         normals = pass(points, graph, hops, resolution, &normals);
@@ -42,7 +36,7 @@ pub fn normals(points: &[[f64; 3]], graph: &Neighbors, hops: usize, resolution: 
 
 fn pass(points: &[[f64; 3]], graph: &Neighbors, hops: usize, scale: Resolution, from: &Normals) -> Normals {
     let angle_rate = 1.0 / (1.0 - GATE_DEG.to_radians().cos());
-    let offset_rate = 0.5 / (0.1 * scale.spacing + 1.5 * scale.noise).powi(2);
+    let offset_rate = 0.5 / tolerance(scale).powi(2);
     let rows = (0..points.len()).into_par_iter().with_min_len(1024).map_init(Scratch::default, |scratch, i| {
         let own = from.vectors[i].map(f64::from);
         let (mut sum, mut total) = (own, 1.0);

@@ -1,0 +1,129 @@
+//! The tangent plane at a point as the one that most of its neighbours lie in.
+//!
+//! The correlation ellipsoid (Gumhold 2001, section 3.1) blends what meets in a neighbourhood: the two faces at a crease,
+//! the two sides of a thin sheet. Consensus chooses instead: of several candidate planes through the point the one with
+//! most weight of neighbours close to it, refined by weighted least squares. Candidates are the ellipsoid of the nearest
+//! few, that of all, and the planes that the neighbours chose.
+
+use super::tensor::{add_product, ellipsoid};
+use crate::math::eigen3::eigen3;
+use crate::math::vec3::{dot, sub};
+use crate::neighbors::{Neighbors, riemannian::Scratch};
+use crate::resolution::Resolution;
+use rayon::prelude::*;
+
+/// Neighbours of the small ellipsoid: with the point itself the fewest that noise leaves a plane.
+const NEAREST: usize = 6;
+/// Refinements by weighted least squares.
+const REFINEMENTS: usize = 2;
+
+/// Scale of the Gaussian that weighs a neighbour by its distance from a plane, local frame.
+pub fn tolerance(scale: Resolution) -> f64 {
+    0.1 * scale.spacing + 1.5 * scale.noise
+}
+
+/// `(N, 3)` unit normals without orientation, from neighbourhoods of graph distance `hops`.
+pub fn consensus_normals(
+    points: &[[f64; 3]],
+    graph: &Neighbors,
+    hops: usize,
+    scale: Resolution,
+) -> Vec<[f32; 3]> {
+    let rate = 0.5 / tolerance(scale).powi(2);
+    let blocks = || (0..points.len()).into_par_iter().with_min_len(1024);
+    let own: Vec<[f32; 3]> = blocks()
+        .map_init(Scratch::default, |scratch, i| {
+            let near = graph.of(i);
+            let all = graph.hops(i, hops, scratch);
+            let candidates = [&near[..near.len().min(NEAREST)], all].map(|set| ellipsoid(points, i, set).axes.vectors[0]);
+            best(points, i, all, rate, candidates.into_iter()).map(|x| x as f32)
+        })
+        .collect();
+    blocks()
+        .map_init(Scratch::default, |scratch, i| {
+            let planes = std::iter::once(i).chain(graph.of(i).iter().map(|&j| j as usize)).map(|j| own[j].map(f64::from));
+            let all = graph.hops(i, hops, scratch);
+            let mut normal = best(points, i, all, rate, planes);
+            for _ in 0..REFINEMENTS {
+                normal = refined(points, i, all, rate, normal);
+            }
+            normal.map(|x| x as f32)
+        })
+        .collect()
+}
+
+/// The candidate with most weight of neighbours; the first among equals.
+fn best(
+    points: &[[f64; 3]],
+    i: usize,
+    neighbors: &[u32],
+    rate: f64,
+    candidates: impl Iterator<Item = [f64; 3]>,
+) -> [f64; 3] {
+    let mut best = ([0.0, 0.0, 1.0], -1.0);
+    for normal in candidates {
+        let weight: f64 = neighbors
+            .iter()
+            .map(|&j| {
+                let offset = dot(normal, sub(points[j as usize], points[i]));
+                // A Cauchy weight ranks like a Gaussian and costs a division.
+                1.0 / (1.0 + offset * offset * rate * 2.0)
+            })
+            .sum();
+        if weight > best.1 {
+            best = (normal, weight);
+        }
+    }
+    best.0
+}
+
+/// One step of weighted least squares from `normal`, the plane free to leave the point.
+fn refined(points: &[[f64; 3]], i: usize, neighbors: &[u32], rate: f64, normal: [f64; 3]) -> [f64; 3] {
+    let (mut sum, mut products, mut total) = ([0.0; 3], [0.0; 6], 1.0);
+    for &j in neighbors {
+        let d = sub(points[j as usize], points[i]);
+        let offset = dot(normal, d);
+        let exponent = offset * offset * rate;
+        if exponent < 8.0 {
+            let weight = (-exponent).exp();
+            for c in 0..3 {
+                sum[c] += weight * d[c];
+            }
+            add_product(&mut products, d, weight);
+            total += weight;
+        }
+    }
+    let mut tensor = products.map(|p| p / total);
+    add_product(&mut tensor, sum.map(|s| s / total), -1.0);
+    eigen3(&tensor).vectors[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::neighbors::{all_nearest, riemannian};
+
+    /// Two parallel sheets 1.2 spacings apart: every neighbourhood of twelve holds both.
+    #[test]
+    fn both_sides_of_a_thin_sheet_keep_their_normal() {
+        let mut points = Vec::new();
+        for i in 0..30 {
+            for j in 0..30 {
+                let jitter = |a: usize, b: usize| ((a * 7919 + b * 104729) % 97) as f64 / 97.0 * 0.3;
+                points.push([i as f64 + jitter(i, j), j as f64 + jitter(j, i), 0.0]);
+                points.push([i as f64 + jitter(i + 3, j), j as f64 + jitter(j, i + 5), 1.2]);
+            }
+        }
+        let graph = riemannian::graph(&points, &all_nearest(&points, 12));
+        let scale = Resolution { spacing: 1.0, noise: 0.02 };
+        let normals = consensus_normals(&points, &graph, 1, scale);
+        let inner = |p: &[f64; 3]| p[0] > 2.0 && p[0] < 27.0 && p[1] > 2.0 && p[1] < 27.0;
+        let (mut right, mut all) = (0, 0);
+        for (p, n) in points.iter().zip(&normals).filter(|(p, _)| inner(p)) {
+            all += 1;
+            right += usize::from(n[2].abs() > 0.98);
+            assert!(p[0].is_finite());
+        }
+        assert!(right as f64 > 0.97 * all as f64, "{right} of {all}");
+    }
+}
