@@ -103,17 +103,6 @@ impl Index {
         out.sort_unstable_by(Found::order);
     }
 
-    /// The lists of the points from `first` on, `k` each, into `lists`.
-    pub(super) fn nearest_of_block(&self, positions: &[[f64; 3]], first: usize, k: usize, lists: &mut [u32]) {
-        let mut found = Vec::new();
-        for (i, list) in lists.chunks_exact_mut(k).enumerate() {
-            let i = first + i;
-            self.nearest(positions[i], k + 1, &mut found);
-            let others = found.iter().filter(|n| n.index != i as u32);
-            list.iter_mut().zip(others).for_each(|(slot, n)| *slot = n.index);
-        }
-    }
-
     /// Hands every point that can be within the squared distance `bound` to `take`, near boxes first; `take`
     /// returns the bound from then on.
     fn visit(&self, query: [f64; 3], mut bound: f64, mut take: impl FnMut(Found) -> f64) {
@@ -154,6 +143,11 @@ impl Leaf {
             leaf.id[lane] = first + lane as u32;
         }
         leaf
+    }
+
+    /// The point in place `lane`.
+    pub(super) fn point(&self, lane: usize) -> [f64; 3] {
+        [0, 1, 2].map(|a| self.at[a][lane])
     }
 
     /// Squared distances of the points from `q`; infinite in empty places.

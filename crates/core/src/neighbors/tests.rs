@@ -32,3 +32,13 @@ fn lists_of_random_points_are_those_of_brute_force() {
         }
     }
 }
+
+#[test]
+fn instructions_agree() {
+    let points = random(20_000, 9);
+    for k in [5, 10, 16, 24] {
+        let a = all_nearest(&points, k);
+        assert_eq!(a, all_nearest_with(&points, k, Instructions::Narrow));
+        assert_eq!(a, all_nearest_with(&points, k, Instructions::Baseline));
+    }
+}

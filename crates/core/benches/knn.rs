@@ -1,0 +1,76 @@
+//! Times of the neighbour search: `cargo bench --bench knn -- [CLOUD.f32] [K]`.
+//!
+//! The cloud is a raw file of little-endian f32 triples; without one, a million points at random on the surface of
+//! a cube are taken, in random order.
+
+use std::time::Instant;
+
+use lineament::neighbors::{Instructions, all_nearest_with, riemannian};
+use lineament::{Cloud, Frame};
+
+fn main() {
+    let args: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
+    let cloud = Cloud::new(args.first().map_or_else(|| cube(1_000_000), |path| read(path)));
+    let k: usize = args.get(1).and_then(|k| k.parse().ok()).unwrap_or(16);
+    let all = std::thread::available_parallelism().map_or(1, usize::from);
+    println!("{} points, k = {k}", cloud.len());
+    println!("threads instructions   localise ms  nearest ms   sum ms   ns a point");
+    for round in 0..2 {
+        for threads in if all > 1 { vec![1, all] } else { vec![1] } {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| {
+                for instructions in [Instructions::Detected, Instructions::Narrow, Instructions::Baseline] {
+                    measure(&cloud, k, threads, instructions);
+                }
+                if round == 1 {
+                    graph(&cloud, k, threads);
+                }
+            });
+        }
+    }
+}
+
+fn measure(cloud: &Cloud, k: usize, threads: usize, instructions: Instructions) {
+    let start = Instant::now();
+    let local = Frame::localise(cloud).unwrap();
+    let localise = start.elapsed().as_secs_f64() * 1e3;
+    let lists = all_nearest_with(&local.positions, k, instructions);
+    let sum = start.elapsed().as_secs_f64() * 1e3;
+    std::hint::black_box(lists);
+    let point = sum * 1e6 / cloud.len() as f64;
+    let name = format!("{instructions:?}");
+    println!("{threads:7} {name:13} {localise:12.1} {:11.1} {sum:8.1} {point:12.0}", sum - localise);
+}
+
+fn graph(cloud: &Cloud, k: usize, threads: usize) {
+    let local = Frame::localise(cloud).unwrap();
+    let lists = all_nearest_with(&local.positions, k, Instructions::Detected);
+    let start = Instant::now();
+    let graph = riemannian::graph(&local.positions, &lists);
+    let time = start.elapsed().as_secs_f64() * 1e3;
+    println!(
+        "{threads:7} graph {time:.1} ms, {:.2} neighbours a point",
+        graph.indices.len() as f64 / cloud.len() as f64
+    );
+}
+
+fn read(path: &str) -> Vec<[f64; 3]> {
+    let bytes = std::fs::read(path).expect("the cloud can be read");
+    let value = |b: &[u8]| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
+    bytes.chunks_exact(12).map(|p| [value(&p[..4]), value(&p[4..8]), value(&p[8..])]).collect()
+}
+
+fn cube(n: usize) -> Vec<[f64; 3]> {
+    let mut state = 1u64;
+    let mut next = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let point = |_| {
+        let face = (next() * 6.0) as usize;
+        let mut p = [next(), next(), next()];
+        p[face % 3] = (face / 3) as f64;
+        p
+    };
+    (0..n).map(point).collect()
+}
