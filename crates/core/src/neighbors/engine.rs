@@ -76,8 +76,9 @@ impl<'a> Engine<'a> {
     fn block_held<K: Kernel, const N: usize>(&self, kernel: K, b: usize, lists: &mut [u32]) {
         let first = b * BLOCK;
         let points = lists.len() / self.k;
+        let mut lists_held = Lists::new(self.k);
         for leaf in first / WIDTH..(first + points).div_ceil(WIDTH) {
-            let mut search = Search::<K, N>::new(self, kernel, leaf);
+            let mut search = Search::<K, N>::new(self, kernel, leaf, &mut lists_held);
             search.run(leaf);
             for (q, &id) in search.queries.id.iter().enumerate().take_while(|(_, id)| **id != u32::MAX) {
                 let row = (id as usize - first) * self.k;
@@ -110,26 +111,19 @@ struct Search<'a, K: Kernel, const N: usize> {
     kernel: K,
     queries: &'a Leaf,
     around: Aabb,
-    lists: Lists<N>,
+    lists: &'a mut Lists<N>,
     /// No candidate beyond this squared distance can matter to any query.
     bound: f64,
 }
 
 impl<'a, K: Kernel, const N: usize> Search<'a, K, N> {
-    fn new(engine: &'a Engine<'a>, kernel: K, leaf: usize) -> Self {
+    fn new(engine: &'a Engine<'a>, kernel: K, leaf: usize, lists: &'a mut Lists<N>) -> Self {
         let index = engine.index;
         let queries = &index.leaves[leaf];
         let points = queries.id.iter().take_while(|&&id| id != u32::MAX).count();
         let around = index.levels[0][leaf / WIDTH].child(leaf % WIDTH);
-        Search {
-            engine,
-            index,
-            kernel,
-            queries,
-            around,
-            lists: Lists::new(engine.k, points),
-            bound: f64::MAX,
-        }
+        lists.clear(points);
+        Search { engine, index, kernel, queries, around, lists, bound: f64::MAX }
     }
 
     /// From the leaf up to the root, everything near beside the path.
@@ -168,7 +162,7 @@ impl<'a, K: Kernel, const N: usize> Search<'a, K, N> {
     }
 
     fn scan(&mut self, leaf: usize, around: &Aabb) {
-        self.kernel.scan(self.queries, &self.index.leaves[leaf], around, &mut self.lists);
+        self.kernel.scan(self.queries, &self.index.leaves[leaf], around, self.lists);
         self.bound = self.lists.bound();
     }
 

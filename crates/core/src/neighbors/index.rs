@@ -151,13 +151,15 @@ impl Leaf {
     }
 
     /// Squared distances of the points from `q`; infinite in empty places.
-    #[inline]
+    #[inline(always)]
     pub(super) fn distances2(&self, q: [f64; 3]) -> [f64; WIDTH] {
         let [x, y, z] = &self.at;
-        std::array::from_fn(|i| {
+        let mut out = [0.0; WIDTH];
+        for i in 0..WIDTH {
             let (dx, dy, dz) = (x[i] - q[0], y[i] - q[1], z[i] - q[2]);
-            dx * dx + dy * dy + dz * dz
-        })
+            out[i] = dx * dx + dy * dy + dz * dz;
+        }
+        out
     }
 }
 

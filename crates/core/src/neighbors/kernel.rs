@@ -29,10 +29,12 @@ impl Kernel for Portable {
 #[inline(always)]
 pub(super) fn boxes(query: &Aabb, node: &Node) -> [f64; WIDTH] {
     let gap = |a: usize, i: usize| positive(node.min[a][i] - query.max[a], query.min[a] - node.max[a][i]);
-    std::array::from_fn(|i| {
+    let mut out = [0.0; WIDTH];
+    for i in 0..WIDTH {
         let (dx, dy, dz) = (gap(0, i), gap(1, i), gap(2, i));
-        dx * dx + dy * dy + dz * dz
-    })
+        out[i] = dx * dx + dy * dy + dz * dz;
+    }
+    out
 }
 
 /// The greater of two differences of which at most one is positive, or zero.
@@ -46,10 +48,11 @@ fn positive(below: f64, above: f64) -> f64 {
 pub(super) fn scan<const K: usize>(queries: &Leaf, leaf: &Leaf, around: &Aabb, lists: &mut Lists<K>) {
     let gap =
         |a: usize, q: usize| positive(around.min[a] - queries.at[a][q], queries.at[a][q] - around.max[a]);
-    let gaps: [f64; WIDTH] = std::array::from_fn(|q| {
+    let mut gaps = [0.0; WIDTH];
+    for q in 0..WIDTH {
         let (dx, dy, dz) = (gap(0, q), gap(1, q), gap(2, q));
-        dx * dx + dy * dy + dz * dz
-    });
+        gaps[q] = dx * dx + dy * dy + dz * dz;
+    }
     for q in 0..WIDTH {
         if gaps[q] <= lists.bounds[q] {
             scan_one([0, 1, 2].map(|a| queries.at[a][q]), queries.id[q], q, leaf, lists);

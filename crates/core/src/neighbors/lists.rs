@@ -20,10 +20,15 @@ pub(super) struct Lists<const K: usize> {
 }
 
 impl<const K: usize> Lists<K> {
-    /// Empty lists for `k < K` neighbours of each of the first `queries`; the other queries ask for nothing.
-    pub(super) fn new(k: usize, queries: usize) -> Self {
-        let bounds = std::array::from_fn(|q| if q < queries { f64::MAX } else { -1.0 });
-        Lists { keys: [[NONE; K]; WIDTH], bounds, k }
+    /// Lists for `k < K` neighbours.
+    pub(super) fn new(k: usize) -> Self {
+        Lists { keys: [[NONE; K]; WIDTH], bounds: [-1.0; WIDTH], k }
+    }
+
+    /// Empties the lists for that many queries; the places after them ask for nothing.
+    pub(super) fn clear(&mut self, queries: usize) {
+        self.keys.as_flattened_mut().fill(NONE);
+        self.bounds = std::array::from_fn(|q| if q < queries { f64::MAX } else { -1.0 });
     }
 
     /// The greatest bound of all queries.
