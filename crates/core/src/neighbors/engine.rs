@@ -138,7 +138,7 @@ impl<'a, K: Kernel, const N: usize> Search<'a, K, N> {
 
     /// The children of a node, near ones first, but for the one at `skip`.
     fn descend(&mut self, level: usize, node: usize, skip: usize) {
-        let boxes = &self.index.levels[level][node];
+        let Some(boxes) = self.index.levels[level].get(node) else { return };
         let distances = self.kernel.boxes(&self.around, boxes);
         let mut near = [0u64; WIDTH];
         let mut count = 0;
@@ -162,7 +162,8 @@ impl<'a, K: Kernel, const N: usize> Search<'a, K, N> {
     }
 
     fn scan(&mut self, leaf: usize, around: &Aabb) {
-        self.kernel.scan(self.queries, &self.index.leaves[leaf], around, self.lists);
+        let Some(points) = self.index.leaves.get(leaf) else { return };
+        self.kernel.scan(self.queries, points, around, self.lists);
         self.bound = self.lists.bound();
     }
 
