@@ -1,7 +1,8 @@
 //! The two inner loops of the search, in plain Rust that compilers vectorise.
+#![allow(clippy::needless_range_loop)] // counted loops over several arrays: the form that is vectorised
 
 use super::index::{Aabb, Leaf, Node, WIDTH};
-use super::lists::{Lists, greatest, key};
+use super::lists::{Lists, key};
 
 /// The inner loops of the search of one leaf. All implementations give identical bits.
 pub(super) trait Kernel: Copy + Send + Sync {
@@ -77,7 +78,7 @@ fn scan_one<const K: usize>(at: [f64; 3], id: u32, q: usize, leaf: &Leaf, lists:
         insert(list, key(near[i], leaf.id[i]));
         mask &= mask - 1;
     }
-    lists.bounds[q] = greatest(list[lists.k - 1]);
+    lists.tighten(q);
 }
 
 /// Inserts into a sorted list and lets its last entry go. Keys are compared as the f64 that they are: for those

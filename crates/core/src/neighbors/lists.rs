@@ -25,10 +25,39 @@ impl<const K: usize> Lists<K> {
         Lists { keys: [[NONE; K]; WIDTH], bounds: [-1.0; WIDTH], k }
     }
 
-    /// Empties the lists for that many queries; the places after them ask for nothing.
-    pub(super) fn clear(&mut self, queries: usize) {
+    /// Empties the lists for that many queries, to hold candidates no farther than `bound`; the places after them
+    /// ask for nothing.
+    pub(super) fn clear(&mut self, queries: usize, bound: f64) {
         self.keys.as_flattened_mut().fill(NONE);
-        self.bounds = std::array::from_fn(|q| if q < queries { f64::MAX } else { -1.0 });
+        self.bounds = std::array::from_fn(|q| if q < queries { bound } else { -1.0 });
+    }
+
+    /// Starts the lists anew, without a bound, that have found less than `k` within theirs; the others ask for
+    /// nothing more. Whether there are any.
+    pub(super) fn retry(&mut self) -> bool {
+        let mut any = false;
+        for (list, bound) in self.keys.iter_mut().zip(&mut self.bounds) {
+            let short = *bound >= 0.0 && list[self.k - 1] == NONE;
+            *bound = if short { f64::MAX } else { -1.0 };
+            if short {
+                list.fill(NONE);
+            }
+            any |= short;
+        }
+        any
+    }
+
+    /// The greatest squared distance of a `k`-th neighbour.
+    pub(super) fn reach(&self) -> f64 {
+        let last = self.keys.iter().map(|list| list[self.k - 1]).filter(|&key| key != NONE);
+        greatest(last.max().unwrap_or(NONE))
+    }
+
+    /// Lowers the bound of a query to its `k`-th candidate.
+    #[inline(always)]
+    pub(super) fn tighten(&mut self, q: usize) {
+        let last = greatest(self.keys[q][self.k - 1]);
+        self.bounds[q] = if last < self.bounds[q] { last } else { self.bounds[q] };
     }
 
     /// The greatest bound of all queries.

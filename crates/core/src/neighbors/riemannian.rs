@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::Neighbors;
 use crate::math::vec3;
 
-/// Parts of the cloud that are worked on at once. Fixed, and small enough for one pass to look at every pair.
+/// Parts of the cloud that are worked on at once: a fixed number, few enough for edges to be kept apart by pair.
 const PARTS: usize = 64;
 
 /// The Riemannian graph over `nearest`, which [`all_nearest`](super::all_nearest) gave for the same `(N, 3)`
@@ -21,18 +21,12 @@ const PARTS: usize = 64;
 pub fn graph(positions: &[[f64; 3]], nearest: &Neighbors) -> Neighbors {
     let size = nearest.len().div_ceil(PARTS).max(1);
     let parts = nearest.len().div_ceil(size);
-    let one_sided: Vec<Vec<Edge>> =
-        (0..parts).into_par_iter().map(|p| one_sided(nearest, part(p, size, nearest.len()))).collect();
-    let rows: Vec<Rows> = (0..parts)
-        .into_par_iter()
-        .map(|p| Rows::received(positions, &one_sided, part(p, size, nearest.len())))
-        .collect();
+    let points = |p: usize| p * size..nearest.len().min((p + 1) * size);
+    let sent: Vec<Vec<Vec<Edge>>> =
+        (0..parts).into_par_iter().map(|p| one_sided(nearest, points(p), size, parts)).collect();
+    let row = |p: usize| Rows::received(positions, sent.iter().map(|to| to[p].as_slice()), points(p));
+    let rows: Vec<Rows> = (0..parts).into_par_iter().map(row).collect();
     join(nearest, &rows, size)
-}
-
-/// The points of part `p`.
-fn part(p: usize, size: usize, count: usize) -> Range<usize> {
-    p * size..count.min((p + 1) * size)
 }
 
 /// `from` lists `to`, but `to` does not list `from`.
@@ -41,43 +35,60 @@ struct Edge {
     from: u32,
 }
 
-/// The one-sided edges from some points, sorted by where they lead.
-fn one_sided(nearest: &Neighbors, from: Range<usize>) -> Vec<Edge> {
-    let mut edges = Vec::new();
+/// The one-sided edges from some points, apart for each part of `size` points that they lead to.
+fn one_sided(nearest: &Neighbors, from: Range<usize>, size: usize, parts: usize) -> Vec<Vec<Edge>> {
+    let mut edges: Vec<Vec<Edge>> = (0..parts).map(|_| Vec::new()).collect();
     for i in from {
         for &j in nearest.of(i) {
-            // No early exit: a short list is compared as a whole in a few instructions.
-            let mutual = nearest.of(j as usize).iter().fold(false, |found, &back| found | (back == i as u32));
-            if !mutual {
-                edges.push(Edge { to: j, from: i as u32 });
+            if !contains(nearest.of(j as usize), i as u32) {
+                edges[j as usize / size].push(Edge { to: j, from: i as u32 });
             }
         }
     }
-    edges.sort_unstable_by_key(|e| (e.to, e.from));
     edges
+}
+
+/// Whether a short list holds a value: compared as a whole, since where it stands is anyone's guess.
+#[inline]
+fn contains(list: &[u32], value: u32) -> bool {
+    let (eights, rest) = list.as_chunks::<8>();
+    let mut equal = [0u32; 8];
+    for eight in eights {
+        equal.iter_mut().zip(eight).for_each(|(e, &x)| *e |= u32::from(x == value));
+    }
+    equal.iter().fold(0, |a, e| a | e) | rest.iter().fold(0, |a, &x| a | u32::from(x == value)) != 0
 }
 
 /// For the points of a part those that list them one-sidedly.
 struct Rows {
+    /// `(P + 1)` where the rows begin.
     starts: Vec<u32>,
     indices: Vec<u32>,
 }
 
 impl Rows {
-    /// Gathers the edges that lead into a part, and sorts each point's by (distance, index).
-    fn received(positions: &[[f64; 3]], edges: &[Vec<Edge>], to: Range<usize>) -> Rows {
-        let mut received: Vec<(u32, f64, u32)> = Vec::new();
-        for edges in edges {
-            let first = edges.partition_point(|e| (e.to as usize) < to.start);
-            let inside = edges[first..].iter().take_while(|e| (e.to as usize) < to.end);
-            let distance2 = |e: &Edge| vec3::distance2(positions[e.to as usize], positions[e.from as usize]);
-            received.extend(inside.map(|e| (e.to, distance2(e), e.from)));
-        }
-        received.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
+    /// Gathers the edges that lead into a part by a counting sort, and orders each row by (distance, index).
+    fn received<'a>(
+        positions: &[[f64; 3]],
+        edges: impl Iterator<Item = &'a [Edge]> + Clone,
+        to: Range<usize>,
+    ) -> Rows {
         let mut starts = vec![0; to.len() + 1];
-        received.iter().for_each(|r| starts[r.0 as usize - to.start + 1] += 1);
+        edges.clone().flatten().for_each(|e| starts[e.to as usize - to.start + 1] += 1);
         (0..to.len()).for_each(|i| starts[i + 1] += starts[i]);
-        Rows { starts, indices: received.into_iter().map(|r| r.2).collect() }
+        let mut next = starts.clone();
+        let mut indices = vec![0; starts[to.len()] as usize];
+        for e in edges.flatten() {
+            let place = &mut next[e.to as usize - to.start];
+            indices[*place as usize] = e.from;
+            *place += 1;
+        }
+        for (i, row) in to.zip(starts.windows(2)) {
+            let distance2 = |j: u32| vec3::distance2(positions[i], positions[j as usize]);
+            let order = |&a: &u32, &b: &u32| distance2(a).total_cmp(&distance2(b)).then(a.cmp(&b));
+            indices[row[0] as usize..row[1] as usize].sort_unstable_by(order);
+        }
+        Rows { starts, indices }
     }
 }
 
@@ -95,7 +106,7 @@ fn join(nearest: &Neighbors, rows: &[Rows], size: usize) -> Neighbors {
     let mut slices = Vec::with_capacity(rows.len());
     let mut rest = indices.as_mut_slice();
     for p in 0..rows.len() {
-        let points = part(p, size, nearest.len());
+        let points = p * size..nearest.len().min((p + 1) * size);
         let (slice, after) = rest.split_at_mut((offsets[points.end] - offsets[points.start]) as usize);
         slices.push((points, slice));
         rest = after;

@@ -183,7 +183,7 @@ fn scan<const K: usize, const R: usize>(queries: &Leaf, leaf: &Leaf, around: &Aa
         for r in 0..R {
             store_keys(&mut list[r], held[r]);
         }
-        lists.bounds[q] = super::lists::greatest(lists.keys[q][lists.k - 1]);
+        lists.tighten(q);
     }
 }
 
