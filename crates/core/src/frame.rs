@@ -1,12 +1,15 @@
 //! The local frame that every stage works in: lengths near 1, the origin at the cloud, the points in one order.
 
 mod morton;
+mod order;
+
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 use rayon::prelude::*;
 
 use crate::cloud::Cloud;
 use crate::error::Error;
-use morton::Grid;
+use morton::{Entry, Grid};
 
 /// Squares of coordinate differences beyond this extent could overflow.
 const EXTENT_LIMIT: f64 = 1e150;
@@ -55,15 +58,16 @@ impl Frame {
         }
         let bounds = Bounds::of(points);
         let grid = Grid::new(bounds.corner(), bounds.extent()?);
-        let mut entries = grid.entries(points);
-        let dropped = points.len() - entries.len();
-        let levels = grid.sort(&mut entries, points);
-        let (source, canonical) = merge(points, &entries, &grid);
-        let frame = Frame { offset: grid.offset, scale: grid.spacing(&levels, source.len()) };
+        let (entries, levels) = order::canonical(&grid, points);
+        let frame = Frame { offset: grid.offset, scale: grid.spacing(&levels) };
         let to_local = 1.0 / frame.scale;
-        let positions =
-            source.par_iter().map(|&i| grid.relative(points[i as usize]).map(|x| x * to_local)).collect();
-        let merged = entries.len() - source.len();
+        let place = |&e: &Entry| grid.relative(points[morton::index(e) as usize]).map(|x| x * to_local);
+        let mut positions: Vec<[f64; 3]> = entries.par_iter().map(place).collect();
+        let mut source: Vec<u32> = entries.par_iter().map(|&e| morton::index(e)).collect();
+        let (dropped, finite) = (points.len() - entries.len(), entries.len());
+        drop(entries);
+        let canonical = merge(&mut positions, &mut source, points.len());
+        let merged = finite - positions.len();
         Ok(Localised { frame, positions, source, canonical, dropped, merged })
     }
 
@@ -134,21 +138,28 @@ impl Bounds {
     }
 }
 
-/// Walks the sorted points, keeps the first of each run of equal ones, and numbers the input by them.
-fn merge(points: &[[f64; 3]], entries: &[morton::Entry], grid: &Grid) -> (Vec<u32>, Vec<u32>) {
-    let mut source = Vec::with_capacity(entries.len());
-    let mut canonical = vec![u32::MAX; points.len()];
-    let mut last = [f64::NAN; 3];
-    for &entry in entries {
-        let index = morton::index(entry);
-        let p = grid.relative(points[index as usize]);
-        if p != last {
-            source.push(index);
-            last = p;
+/// Keeps the first of each run of equal points, and numbers the input by what is kept. Every input point is
+/// numbered once, so that it does not matter which thread does it.
+fn merge(positions: &mut Vec<[f64; 3]>, source: &mut Vec<u32>, read: usize) -> Vec<u32> {
+    let canonical: Vec<AtomicU32> = (0..read).into_par_iter().map(|_| AtomicU32::new(u32::MAX)).collect();
+    let number = |(c, &i): (usize, &u32)| canonical[i as usize].store(c as u32, Relaxed);
+    if positions.par_windows(2).any(|pair| pair[0] == pair[1]) {
+        let mut kept = 0;
+        for i in 0..positions.len() {
+            let index = source[i];
+            if i == 0 || positions[i] != positions[kept - 1] {
+                positions[kept] = positions[i];
+                source[kept] = index;
+                kept += 1;
+            }
+            number((kept - 1, &index));
         }
-        canonical[index as usize] = source.len() as u32 - 1;
+        positions.truncate(kept);
+        source.truncate(kept);
+    } else {
+        source.par_iter().enumerate().for_each(number);
     }
-    (source, canonical)
+    canonical.into_iter().map(AtomicU32::into_inner).collect()
 }
 
 #[cfg(test)]

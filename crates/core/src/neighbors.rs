@@ -1,10 +1,16 @@
 //! Nearest neighbours of every point, as flat lists.
 
+mod engine;
 mod index;
+mod kernel;
+mod lists;
 pub mod riemannian;
+#[cfg(target_arch = "x86_64")]
+mod simd;
 
 use rayon::prelude::*;
 
+use engine::Engine;
 pub use index::Index;
 
 /// One list of point indices for each point, in compressed rows.
@@ -37,18 +43,36 @@ impl Neighbors {
     }
 }
 
+/// Which vector instructions a search may use. The results have the same bits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Instructions {
+    /// The widest that this machine has.
+    #[default]
+    Detected,
+    /// At most 256-bit vectors (AVX2), where the machine has them.
+    Narrow,
+    /// Those that the program was compiled for.
+    Baseline,
+}
+
 /// For each point its `min(k, N - 1)` nearest other points, sorted by (distance, index): exact in f64 squared
 /// distance, whatever the number of threads.
 ///
 /// `positions` are `(N, 3)` f64, finite. Any order gives the same neighbours; canonical order (see
 /// [`Frame::localise`](crate::frame::Frame::localise)) gives them fast.
 pub fn all_nearest(positions: &[[f64; 3]], k: usize) -> Neighbors {
+    all_nearest_with(positions, k, Instructions::Detected)
+}
+
+/// [`all_nearest`] by chosen instructions.
+pub fn all_nearest_with(positions: &[[f64; 3]], k: usize, instructions: Instructions) -> Neighbors {
     let k = k.min(positions.len().saturating_sub(1));
     let mut indices = vec![0; positions.len() * k];
     if k > 0 {
         let index = Index::build(positions);
+        let engine = Engine::new(&index, positions, k, instructions);
         let blocks = indices.par_chunks_mut(BLOCK * k).enumerate();
-        blocks.for_each(|(b, lists)| index.nearest_of_block(positions, b * BLOCK, k, lists));
+        blocks.for_each(|(b, lists)| engine.block(b, lists));
     }
     let offsets = (0..=positions.len() as u64).map(|i| i * k as u64).collect();
     Neighbors { offsets, indices }
@@ -71,10 +95,11 @@ pub fn nearest_blocks<R: Send>(
         return Vec::new();
     }
     let index = Index::build(positions);
+    let engine = Engine::new(&index, positions, k, Instructions::Detected);
     let block = |lists: &mut Vec<u32>, b: usize| {
         let first = b * BLOCK;
         lists.resize(BLOCK.min(positions.len() - first) * k, 0);
-        index.nearest_of_block(positions, first, k, lists);
+        engine.block(b, lists);
         visit(first, lists)
     };
     (0..positions.len().div_ceil(BLOCK)).into_par_iter().map_init(Vec::new, block).collect()

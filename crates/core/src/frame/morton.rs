@@ -1,16 +1,14 @@
 //! Morton order of points, as deep as their coordinates differ, and the spacing that the order tells.
 
-use rayon::prelude::*;
-
 /// A Morton code and the index of its point, in one number that sorts by both.
 pub(super) type Entry = u128;
 
 /// Bits an axis in one code.
-const BITS: u32 = 21;
+pub(super) const BITS: u32 = 21;
 /// Codes a point can have, each refining the cell of the one before. Past them positions are compared.
-const DEPTHS: u32 = 3;
+pub(super) const DEPTHS: u32 = 3;
 /// Levels of cells below the root.
-const LEVELS: usize = (BITS * DEPTHS) as usize;
+pub(super) const LEVELS: usize = (BITS * DEPTHS) as usize;
 /// How many neighbours in the order first differ at a level: `[l]` counts pairs that share a cell at level `l`
 /// but not at `l + 1`.
 pub(super) type Levels = [usize; LEVELS + 1];
@@ -44,11 +42,13 @@ impl Grid {
     }
 
     /// The vector from the least corner, without negative zeros.
+    #[inline]
     pub(super) fn relative(&self, p: [f64; 3]) -> [f64; 3] {
         std::array::from_fn(|a| (p[a] - self.offset[a]) + 0.0)
     }
 
     /// The code of a point at a depth: cells of `21 * (depth + 1)` levels. Every step is exact.
+    #[inline]
     fn code(&self, p: [f64; 3], depth: u32) -> u64 {
         let mut x = self.relative(p).map(|x| x * self.to_cell);
         for _ in 0..depth {
@@ -58,64 +58,17 @@ impl Grid {
         x << 2 | y << 1 | z
     }
 
-    /// An entry for each finite point.
-    pub(super) fn entries(&self, points: &[[f64; 3]]) -> Vec<Entry> {
-        let entry = |i: usize| finite(&points[i]).then(|| self.entry(points, i as u32, 0));
-        (0..points.len()).into_par_iter().filter_map(entry).collect()
-    }
-
-    fn entry(&self, points: &[[f64; 3]], index: u32, depth: u32) -> Entry {
+    /// The entry of a point, with its code at a depth.
+    #[inline]
+    pub(super) fn entry(&self, points: &[[f64; 3]], index: u32, depth: u32) -> Entry {
         Entry::from(self.code(points[index as usize], depth)) << 32 | Entry::from(index)
-    }
-
-    /// Sorts entries into canonical order and counts at which level neighbours in it part.
-    pub(super) fn sort(&self, entries: &mut [Entry], points: &[[f64; 3]]) -> Levels {
-        let mut levels = [0; LEVELS + 1];
-        entries.par_sort_unstable();
-        self.refine(entries, points, 0, &mut levels);
-        levels
-    }
-
-    /// Orders the runs of equal codes in `entries`, sorted at `depth`, by what lies deeper.
-    fn refine(&self, entries: &mut [Entry], points: &[[f64; 3]], depth: u32, levels: &mut Levels) {
-        let mut start = 0;
-        while start < entries.len() {
-            let code = entries[start] >> 32;
-            let run = entries[start..].iter().take_while(|&&e| e >> 32 == code).count();
-            if run > 1 {
-                self.order_run(&mut entries[start..start + run], points, depth, levels);
-            }
-            start += run;
-            if let Some(next) = entries.get(start) {
-                let shared = ((code ^ next >> 32) as u64).leading_zeros() - 1;
-                levels[(BITS * depth + shared / 3) as usize] += 1;
-            }
-        }
-    }
-
-    /// Orders entries of one cell.
-    fn order_run(&self, run: &mut [Entry], points: &[[f64; 3]], depth: u32, levels: &mut Levels) {
-        let place = |&e: &Entry| self.relative(points[index(e) as usize]);
-        let first = place(&run[0]);
-        if run.iter().all(|e| place(e) == first) {
-            levels[LEVELS] += run.len() - 1; // duplicates, by index already
-        } else if depth + 1 < DEPTHS {
-            run.par_iter_mut().for_each(|e| *e = self.entry(points, index(*e), depth + 1));
-            run.par_sort_unstable();
-            self.refine(run, points, depth + 1, levels);
-        } else {
-            let order = |p: [f64; 3], q: [f64; 3]| (0..3).map(|a| p[a].total_cmp(&q[a])).find(|o| o.is_ne());
-            run.sort_unstable_by(|a, b| {
-                order(place(a), place(b)).unwrap_or_else(|| index(*a).cmp(&index(*b)))
-            });
-            levels[LEVELS] += run.len() - 1;
-        }
     }
 
     /// A power of two near the mean spacing: half the side of the finest cells that hold two or more points on
     /// average. On a curve, a surface and in a volume alike that is within a factor of two; only integers are
     /// compared, so that every machine agrees.
-    pub(super) fn spacing(&self, levels: &Levels, count: usize) -> f64 {
+    pub(super) fn spacing(&self, levels: &Levels) -> f64 {
+        let count = 1 + levels[..LEVELS].iter().sum::<usize>();
         let mut cells = 1;
         let mut level = 0;
         for (l, parted) in levels.iter().enumerate().take(LEVELS) {

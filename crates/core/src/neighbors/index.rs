@@ -1,6 +1,8 @@
 //! The search structure: leaves of 16 points under a 16-wide implicit hierarchy of bounding boxes.
 
-use super::Found;
+use rayon::prelude::*;
+
+use super::{BLOCK, Found};
 
 /// Points in a leaf and children of a node.
 pub(super) const WIDTH: usize = 16;
@@ -42,13 +44,20 @@ impl Index {
     /// Over `positions`, `(N, 3)` f64, finite, less than 1e150 apart. In canonical order leaves are compact and
     /// searches fast; any other order gives the same results.
     pub fn build(positions: &[[f64; 3]]) -> Index {
-        let leaves: Vec<Leaf> = positions
-            .chunks(WIDTH)
-            .enumerate()
-            .map(|(l, points)| Leaf::new(points, (l * WIDTH) as u32))
-            .collect();
+        let mut leaves = vec![Leaf::EMPTY; positions.len().div_ceil(WIDTH)];
+        let mut boxes = vec![Aabb::EMPTY; leaves.len()];
+        let blocks = positions.par_chunks(BLOCK).zip(leaves.par_chunks_mut(BLOCK / WIDTH));
+        blocks.zip(boxes.par_chunks_mut(BLOCK / WIDTH)).enumerate().for_each(
+            |(b, ((points, leaves), boxes))| {
+                let mut sites: Vec<Site> = points
+                    .iter()
+                    .enumerate()
+                    .map(|(i, &at)| Site { at, id: (b * BLOCK + i) as u32 })
+                    .collect();
+                split(&mut sites, leaves, boxes);
+            },
+        );
         let mut levels: Vec<Vec<Node>> = Vec::new();
-        let mut boxes: Vec<Aabb> = positions.chunks(WIDTH).map(Aabb::of).collect();
         while boxes.len() > 1 || levels.is_empty() {
             let nodes: Vec<Node> = boxes.chunks(WIDTH).map(Node::new).collect();
             boxes = boxes.chunks(WIDTH).map(Aabb::union).collect();
@@ -103,17 +112,6 @@ impl Index {
         out.sort_unstable_by(Found::order);
     }
 
-    /// The lists of the points from `first` on, `k` each, into `lists`.
-    pub(super) fn nearest_of_block(&self, positions: &[[f64; 3]], first: usize, k: usize, lists: &mut [u32]) {
-        let mut found = Vec::new();
-        for (i, list) in lists.chunks_exact_mut(k).enumerate() {
-            let i = first + i;
-            self.nearest(positions[i], k + 1, &mut found);
-            let others = found.iter().filter(|n| n.index != i as u32);
-            list.iter_mut().zip(others).for_each(|(slot, n)| *slot = n.index);
-        }
-    }
-
     /// Hands every point that can be within the squared distance `bound` to `take`, near boxes first; `take`
     /// returns the bound from then on.
     fn visit(&self, query: [f64; 3], mut bound: f64, mut take: impl FnMut(Found) -> f64) {
@@ -146,24 +144,65 @@ impl Index {
     }
 }
 
+/// A point and its index.
+#[derive(Clone, Copy)]
+struct Site {
+    at: [f64; 3],
+    id: u32,
+}
+
+/// Halves the points along the longest side of their box until they fit into a leaf each, all leaves but the last
+/// of a block full.
+fn split(sites: &mut [Site], leaves: &mut [Leaf], boxes: &mut [Aabb]) {
+    let around = sites.iter().fold(Aabb::EMPTY, |b, s| b.join(&Aabb { min: s.at, max: s.at }));
+    if sites.len() <= WIDTH {
+        leaves[0].fill(sites);
+        boxes[0] = around;
+        return;
+    }
+    let side = |a: usize| around.max[a] - around.min[a];
+    let axis = if side(0) >= side(1) && side(0) >= side(2) {
+        0
+    } else if side(1) >= side(2) {
+        1
+    } else {
+        2
+    };
+    let half = leaves.len().next_power_of_two() / 2;
+    let (near, far) = leaves.split_at_mut(half);
+    let (near_boxes, far_boxes) = boxes.split_at_mut(half);
+    sites
+        .select_nth_unstable_by(half * WIDTH, |a, b| a.at[axis].total_cmp(&b.at[axis]).then(a.id.cmp(&b.id)));
+    let (low, high) = sites.split_at_mut(half * WIDTH);
+    split(low, near, near_boxes);
+    split(high, far, far_boxes);
+}
+
 impl Leaf {
-    fn new(points: &[[f64; 3]], first: u32) -> Leaf {
-        let mut leaf = Leaf { at: [[f64::INFINITY; WIDTH]; 3], id: [u32::MAX; WIDTH] };
-        for (lane, p) in points.iter().enumerate() {
-            (0..3).for_each(|a| leaf.at[a][lane] = p[a]);
-            leaf.id[lane] = first + lane as u32;
+    const EMPTY: Leaf = Leaf { at: [[f64::INFINITY; WIDTH]; 3], id: [u32::MAX; WIDTH] };
+
+    fn fill(&mut self, sites: &[Site]) {
+        for (lane, site) in sites.iter().enumerate() {
+            (0..3).for_each(|a| self.at[a][lane] = site.at[a]);
+            self.id[lane] = site.id;
         }
-        leaf
+    }
+
+    /// The point in place `lane`.
+    pub(super) fn point(&self, lane: usize) -> [f64; 3] {
+        [0, 1, 2].map(|a| self.at[a][lane])
     }
 
     /// Squared distances of the points from `q`; infinite in empty places.
-    #[inline]
+    #[inline(always)]
     pub(super) fn distances2(&self, q: [f64; 3]) -> [f64; WIDTH] {
         let [x, y, z] = &self.at;
-        std::array::from_fn(|i| {
+        let mut out = [0.0; WIDTH];
+        for i in 0..WIDTH {
             let (dx, dy, dz) = (x[i] - q[0], y[i] - q[1], z[i] - q[2]);
-            dx * dx + dy * dy + dz * dz
-        })
+            out[i] = dx * dx + dy * dy + dz * dz;
+        }
+        out
     }
 }
 
@@ -197,11 +236,6 @@ impl Node {
 
 impl Aabb {
     pub(super) const EMPTY: Aabb = Aabb { min: [f64::INFINITY; 3], max: [f64::NEG_INFINITY; 3] };
-
-    /// The least box around points.
-    pub(super) fn of(points: &[[f64; 3]]) -> Aabb {
-        points.iter().fold(Aabb::EMPTY, |b, &p| b.join(&Aabb { min: p, max: p }))
-    }
 
     fn union(boxes: &[Aabb]) -> Aabb {
         boxes.iter().fold(Aabb::EMPTY, |b, c| b.join(c))

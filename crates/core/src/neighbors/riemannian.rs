@@ -2,49 +2,124 @@
 //!
 //! An edge joins two points if either is among the `k` nearest of the other.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use super::Neighbors;
+use crate::math::vec3;
 
-/// The Riemannian graph over lists of nearest neighbours: the union of each list with the points that list its
-/// owner, every list sorted by (distance, index). The paper takes `k` from 10 to 16.
+/// Parts of the cloud that are worked on at once: a fixed number, few enough for edges to be kept apart by pair.
+const PARTS: usize = 64;
+
+/// The Riemannian graph over `nearest`, which [`all_nearest`](super::all_nearest) gave for the same `(N, 3)`
+/// `positions`: each list joined with the points that list its owner, sorted by (distance, index). The paper takes
+/// `k` from 10 to 16.
 ///
-/// `positions` are the `(N, 3)` points that `nearest` was made from.
+/// A point that lists `i` but that `i` does not list is farther from `i` than all that `i` lists. So each list of
+/// the graph is the one given, and then those other points by distance.
 pub fn graph(positions: &[[f64; 3]], nearest: &Neighbors) -> Neighbors {
-    let reverse = transpose(nearest);
-    let distance2 = |i: usize, j: u32| crate::math::vec3::distance2(positions[i], positions[j as usize]);
-    let union = |i: usize| {
-        let own = nearest.of(i);
-        let others = reverse.of(i).iter().filter(|j| !own.contains(j));
-        let mut list: Vec<(f64, u32)> = own.iter().chain(others).map(|&j| (distance2(i, j), j)).collect();
-        list.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        list.into_iter().map(|(_, j)| j).collect::<Vec<u32>>()
-    };
-    let lists: Vec<Vec<u32>> = (0..nearest.len()).into_par_iter().map(union).collect();
-    let mut offsets = vec![0; nearest.len() + 1];
-    for (i, list) in lists.iter().enumerate() {
-        offsets[i + 1] = offsets[i] + list.len() as u64;
-    }
-    Neighbors { offsets, indices: lists.concat() }
+    let size = nearest.len().div_ceil(PARTS).max(1);
+    let parts = nearest.len().div_ceil(size);
+    let points = |p: usize| p * size..nearest.len().min((p + 1) * size);
+    let sent: Vec<Vec<Vec<Edge>>> =
+        (0..parts).into_par_iter().map(|p| one_sided(nearest, points(p), size, parts)).collect();
+    let row = |p: usize| Rows::received(positions, sent.iter().map(|to| to[p].as_slice()), points(p));
+    let rows: Vec<Rows> = (0..parts).into_par_iter().map(row).collect();
+    join(nearest, &rows, size)
 }
 
-/// For each point the points that list it, in ascending order.
-fn transpose(lists: &Neighbors) -> Neighbors {
-    let mut offsets = vec![0u64; lists.len() + 1];
-    for &j in &lists.indices {
-        offsets[j as usize + 1] += 1;
-    }
-    for i in 0..lists.len() {
-        offsets[i + 1] += offsets[i];
-    }
-    let mut next = offsets.clone();
-    let mut indices = vec![0; lists.indices.len()];
-    for i in 0..lists.len() {
-        for &j in lists.of(i) {
-            indices[next[j as usize] as usize] = i as u32;
-            next[j as usize] += 1;
+/// `from` lists `to`, but `to` does not list `from`.
+struct Edge {
+    to: u32,
+    from: u32,
+}
+
+/// The one-sided edges from some points, apart for each part of `size` points that they lead to.
+fn one_sided(nearest: &Neighbors, from: Range<usize>, size: usize, parts: usize) -> Vec<Vec<Edge>> {
+    let mut edges: Vec<Vec<Edge>> = (0..parts).map(|_| Vec::new()).collect();
+    for i in from {
+        for &j in nearest.of(i) {
+            if !contains(nearest.of(j as usize), i as u32) {
+                edges[j as usize / size].push(Edge { to: j, from: i as u32 });
+            }
         }
     }
+    edges
+}
+
+/// Whether a short list holds a value: compared as a whole, since where it stands is anyone's guess.
+#[inline]
+fn contains(list: &[u32], value: u32) -> bool {
+    let (eights, rest) = list.as_chunks::<8>();
+    let mut equal = [0u32; 8];
+    for eight in eights {
+        equal.iter_mut().zip(eight).for_each(|(e, &x)| *e |= u32::from(x == value));
+    }
+    equal.iter().fold(0, |a, e| a | e) | rest.iter().fold(0, |a, &x| a | u32::from(x == value)) != 0
+}
+
+/// For the points of a part those that list them one-sidedly.
+struct Rows {
+    /// `(P + 1)` where the rows begin.
+    starts: Vec<u32>,
+    indices: Vec<u32>,
+}
+
+impl Rows {
+    /// Gathers the edges that lead into a part by a counting sort, and orders each row by (distance, index).
+    fn received<'a>(
+        positions: &[[f64; 3]],
+        edges: impl Iterator<Item = &'a [Edge]> + Clone,
+        to: Range<usize>,
+    ) -> Rows {
+        let mut starts = vec![0; to.len() + 1];
+        edges.clone().flatten().for_each(|e| starts[e.to as usize - to.start + 1] += 1);
+        (0..to.len()).for_each(|i| starts[i + 1] += starts[i]);
+        let mut next = starts.clone();
+        let mut indices = vec![0; starts[to.len()] as usize];
+        for e in edges.flatten() {
+            let place = &mut next[e.to as usize - to.start];
+            indices[*place as usize] = e.from;
+            *place += 1;
+        }
+        for (i, row) in to.zip(starts.windows(2)) {
+            let distance2 = |j: u32| vec3::distance2(positions[i], positions[j as usize]);
+            let order = |&a: &u32, &b: &u32| distance2(a).total_cmp(&distance2(b)).then(a.cmp(&b));
+            indices[row[0] as usize..row[1] as usize].sort_unstable_by(order);
+        }
+        Rows { starts, indices }
+    }
+}
+
+/// Each list of `nearest` followed by its row.
+fn join(nearest: &Neighbors, rows: &[Rows], size: usize) -> Neighbors {
+    let mut offsets = Vec::with_capacity(nearest.len() + 1);
+    offsets.push(0);
+    for (p, rows) in rows.iter().enumerate() {
+        for (i, row) in rows.starts.windows(2).enumerate() {
+            let before = offsets[offsets.len() - 1];
+            offsets.push(before + nearest.of(p * size + i).len() as u64 + u64::from(row[1] - row[0]));
+        }
+    }
+    let mut indices = vec![0; offsets[offsets.len() - 1] as usize];
+    let mut slices = Vec::with_capacity(rows.len());
+    let mut rest = indices.as_mut_slice();
+    for p in 0..rows.len() {
+        let points = p * size..nearest.len().min((p + 1) * size);
+        let (slice, after) = rest.split_at_mut((offsets[points.end] - offsets[points.start]) as usize);
+        slices.push((points, slice));
+        rest = after;
+    }
+    slices.into_par_iter().zip(rows).for_each(|((points, mut slice), rows)| {
+        for (i, row) in points.zip(rows.starts.windows(2)) {
+            for list in [nearest.of(i), &rows.indices[row[0] as usize..row[1] as usize]] {
+                let (head, tail) = slice.split_at_mut(list.len());
+                head.copy_from_slice(list);
+                slice = tail;
+            }
+        }
+    });
     Neighbors { offsets, indices }
 }
 

@@ -1,0 +1,209 @@
+//! The search for the neighbours of all points: one walk through the hierarchy serves the sixteen points of a leaf.
+
+use super::index::{Aabb, Index, Leaf, Node, WIDTH};
+use super::kernel::{Kernel, Portable};
+use super::lists::{Lists, NONE, tied};
+#[cfg(target_arch = "x86_64")]
+use super::simd::{Avx2, Avx512};
+use super::{BLOCK, Found, Instructions};
+
+/// A search starts with what the one before, next to it, would have needed: this many times its greatest squared
+/// distance. That halves the candidates that enter a list only to leave it again; the few queries that find too
+/// little within start anew.
+const GUESS: f64 = 1.3;
+
+/// Finds the `k` nearest neighbours of every point of an index.
+pub(super) struct Engine<'a> {
+    index: &'a Index,
+    positions: &'a [[f64; 3]],
+    k: usize,
+    loops: Loops,
+}
+
+/// The inner loops chosen.
+#[derive(Clone, Copy)]
+enum Loops {
+    #[cfg(target_arch = "x86_64")]
+    Avx512(Avx512),
+    #[cfg(target_arch = "x86_64")]
+    Avx2(Avx2),
+    Portable,
+}
+
+impl Loops {
+    fn choose(instructions: Instructions) -> Loops {
+        #[cfg(target_arch = "x86_64")]
+        {
+            let wide = Avx512::detect().filter(|_| instructions == Instructions::Detected);
+            let narrow = Avx2::detect().filter(|_| instructions != Instructions::Baseline);
+            if let Some(loops) = wide.map(Loops::Avx512).or(narrow.map(Loops::Avx2)) {
+                return loops;
+            }
+        }
+        let _ = instructions;
+        Loops::Portable
+    }
+}
+
+impl<'a> Engine<'a> {
+    /// For `0 < k < N` neighbours of the `N` `positions` that `index` was built from.
+    pub(super) fn new(
+        index: &'a Index,
+        positions: &'a [[f64; 3]],
+        k: usize,
+        instructions: Instructions,
+    ) -> Self {
+        Engine { index, positions, k, loops: Loops::choose(instructions) }
+    }
+
+    /// The lists of the points of block `b`, `k` entries each.
+    pub(super) fn block(&self, b: usize, lists: &mut [u32]) {
+        match self.loops {
+            #[cfg(target_arch = "x86_64")]
+            Loops::Avx512(kernel) => self.block_by(kernel, b, lists),
+            #[cfg(target_arch = "x86_64")]
+            Loops::Avx2(kernel) => self.block_by(kernel, b, lists),
+            Loops::Portable => self.block_by(Portable, b, lists),
+        }
+    }
+
+    /// Lists are held with one place or more beyond `k`.
+    fn block_by<K: Kernel>(&self, kernel: K, b: usize, lists: &mut [u32]) {
+        match self.k {
+            0..8 => self.block_held::<K, 8>(kernel, b, lists),
+            8..16 => self.block_held::<K, 16>(kernel, b, lists),
+            16..24 => self.block_held::<K, 24>(kernel, b, lists),
+            24..32 => self.block_held::<K, 32>(kernel, b, lists),
+            _ => self.block_alone(b, lists),
+        }
+    }
+
+    fn block_held<K: Kernel, const N: usize>(&self, kernel: K, b: usize, lists: &mut [u32]) {
+        let first = b * BLOCK;
+        let points = lists.len() / self.k;
+        let mut held = Lists::new(self.k);
+        let mut guess = f64::MAX;
+        for leaf in first / WIDTH..(first + points).div_ceil(WIDTH) {
+            let mut search = Search::<K, N>::new(self, kernel, leaf, &mut held, guess);
+            search.run(leaf);
+            if search.lists.retry() {
+                search.run(leaf);
+            }
+            guess = f64::MAX.min(GUESS * search.lists.reach());
+            for (q, &id) in search.queries.id.iter().enumerate().take_while(|(_, id)| **id != u32::MAX) {
+                let row = (id as usize - first) * self.k;
+                search.settle(q, &mut lists[row..row + self.k]);
+            }
+        }
+    }
+
+    /// Point by point: for more neighbours than the inner loops hold.
+    fn block_alone(&self, b: usize, lists: &mut [u32]) {
+        let first = b * BLOCK;
+        for (i, list) in lists.chunks_exact_mut(self.k).enumerate() {
+            self.alone((first + i) as u32, list);
+        }
+    }
+
+    /// The neighbours of one point by a search of its own.
+    fn alone(&self, i: u32, list: &mut [u32]) {
+        let mut found = Vec::new();
+        self.index.nearest(self.positions[i as usize], list.len() + 1, &mut found);
+        let others = found.iter().filter(|n| n.index != i);
+        list.iter_mut().zip(others).for_each(|(slot, n)| *slot = n.index);
+    }
+}
+
+/// The search of one leaf's neighbours.
+struct Search<'a, K: Kernel, const N: usize> {
+    engine: &'a Engine<'a>,
+    index: &'a Index,
+    kernel: K,
+    queries: &'a Leaf,
+    around: Aabb,
+    lists: &'a mut Lists<N>,
+    /// No candidate beyond this squared distance can matter to any query.
+    bound: f64,
+}
+
+impl<'a, K: Kernel, const N: usize> Search<'a, K, N> {
+    fn new(engine: &'a Engine<'a>, kernel: K, leaf: usize, lists: &'a mut Lists<N>, guess: f64) -> Self {
+        let index = engine.index;
+        let queries = &index.leaves[leaf];
+        let points = queries.id.iter().take_while(|&&id| id != u32::MAX).count();
+        let around = index.levels[0][leaf / WIDTH].child(leaf % WIDTH);
+        lists.clear(points, guess);
+        Search { engine, index, kernel, queries, around, lists, bound: guess }
+    }
+
+    /// From the leaf up to the root, everything near beside the path.
+    fn run(&mut self, leaf: usize) {
+        self.bound = self.lists.bound();
+        self.scan(leaf, &self.around.clone());
+        let mut child = leaf;
+        for level in 0..self.index.levels.len() {
+            self.descend(level, child / WIDTH, child % WIDTH);
+            child /= WIDTH;
+        }
+    }
+
+    /// The children of a node, near ones first, but for the one at `skip`.
+    fn descend(&mut self, level: usize, node: usize, skip: usize) {
+        let Some(boxes) = self.index.levels[level].get(node) else { return };
+        let distances = self.kernel.boxes(&self.around, boxes);
+        let mut near = [0u64; WIDTH];
+        let mut count = 0;
+        for (c, d) in distances.iter().enumerate() {
+            near[count] = d.to_bits() & !0xf | c as u64;
+            count += usize::from(*d <= self.bound && c != skip);
+        }
+        let near = &mut near[..count];
+        near.sort_unstable();
+        for &mut entry in near {
+            if f64::from_bits(entry & !0xf) > self.bound {
+                break;
+            }
+            let c = (entry & 0xf) as usize;
+            if level == 0 {
+                self.scan(node * WIDTH + c, &boxes.child(c));
+            } else {
+                self.descend(level - 1, node * WIDTH + c, WIDTH);
+            }
+        }
+    }
+
+    fn scan(&mut self, leaf: usize, around: &Aabb) {
+        let Some(points) = self.index.leaves.get(leaf) else { return };
+        self.kernel.scan(self.queries, points, around, self.lists);
+        self.bound = self.lists.bound();
+    }
+
+    /// The neighbours of query `q` in their final order. Where the cut of the keys has made distances equal, the
+    /// full ones decide; where such a run goes on beyond the keys held, the query is searched again by itself.
+    fn settle(&self, q: usize, out: &mut [u32]) {
+        let keys = &self.lists.keys[q];
+        let k = out.len();
+        let last = keys[k - 1];
+        if tied(last, keys[N - 1]) || last == NONE {
+            return self.engine.alone(self.queries.id[q], out);
+        }
+        out.iter_mut().zip(keys).for_each(|(slot, &key)| *slot = key as u32);
+        if (0..k).any(|i| tied(keys[i], keys[i + 1])) {
+            let held = keys.iter().take_while(|&&key| key >> 32 <= last >> 32);
+            let mut found: Vec<Found> = held.map(|&key| self.found(q, key as u32)).collect();
+            found.sort_unstable_by(Found::order);
+            out.iter_mut().zip(&found).for_each(|(slot, f)| *slot = f.index);
+        }
+    }
+
+    fn found(&self, q: usize, index: u32) -> Found {
+        let at = self.queries.point(q);
+        Found { distance2: crate::math::vec3::distance2(self.engine.positions[index as usize], at), index }
+    }
+}
+
+impl Node {
+    fn child(&self, c: usize) -> Aabb {
+        Aabb { min: self.min.map(|m| m[c]), max: self.max.map(|m| m[c]) }
+    }
+}
