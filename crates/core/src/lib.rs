@@ -16,6 +16,7 @@ pub mod params;
 pub mod pattern;
 pub mod recover;
 pub mod resolution;
+pub mod shapes;
 
 pub use cloud::{Attribute, Cloud, Column};
 pub use error::Error;
