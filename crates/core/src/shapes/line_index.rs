@@ -87,12 +87,12 @@ impl Truth {
             return vec![Part { points: curve.points.clone(), closed: curve.closed }];
         }
         let mut parts: Vec<Part> = Vec::new();
-        for i in (0..m + usize::from(curve.closed)).map(|i| i % m) {
-            if wanted(i) && (i == 0 || !wanted(i - 1) || parts.is_empty()) {
+        for k in (0..m + usize::from(curve.closed)).filter(|k| wanted(k % m)) {
+            if k == 0 || !wanted(k - 1) {
                 parts.push(Part { points: Vec::new(), closed: false });
             }
-            if let Some(part) = parts.last_mut().filter(|_| wanted(i)) {
-                part.points.push(curve.points[i]);
+            if let Some(part) = parts.last_mut() {
+                part.points.push(curve.points[k % m]);
             }
         }
         parts.retain(|p| p.points.len() > 1);
