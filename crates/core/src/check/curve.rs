@@ -1,40 +1,45 @@
 //! Invariants of the curve that a strip was fitted with.
 
 use super::finite;
+use crate::curve::BSpline;
 use crate::math::vec3::{distance, norm, sub};
 use crate::network::{Network, Strip};
 
 pub(super) fn faults(network: &Network, strip: &Strip) -> Vec<String> {
-    let curve = &strip.curve;
-    let (degree, knots, controls) = (curve.degree, &curve.knots, &curve.controls);
-    if !(1..=3).contains(&degree) {
+    let BSpline { degree, controls, periodic, .. } = &strip.curve;
+    if !(1..=3).contains(degree) {
         return vec![format!("curve of degree {degree}")];
     }
-    let mut faults = Vec::new();
-    let mut claim = |holds: bool, fault: &dyn Fn() -> String| {
-        if !holds {
-            faults.push(fault());
-        }
-    };
-    claim(curve.periodic == strip.closed, &|| {
-        format!("closed is {} but the curve's periodic {}", strip.closed, curve.periodic)
-    });
-    claim(controls.iter().all(finite), &|| "a control point is not finite".into());
-    let least = if curve.periodic { 3 } else { degree + 1 };
-    claim(controls.len() >= least, &|| format!("{} control points, at least {least} needed", controls.len()));
-    let wanted = controls.len() + if curve.periodic { 1 } else { degree + 1 };
-    claim(knots.len() == wanted, &|| format!("{} knots, {wanted} needed", knots.len()));
-    claim(knots.iter().all(|x| x.is_finite()), &|| "a knot is not finite".into());
-    let falls = knots.windows(2).position(|w| w[0] > w[1]);
-    claim(falls.is_none(), &|| format!("the knots fall after knot {}", falls.unwrap_or(0)));
-    claim(knots.first() < knots.last(), &|| "the knots span nothing".into());
-    if !curve.periodic && knots.len() > degree {
-        let clamped = |ends: &[f64]| ends.iter().all(|x| x == &ends[0]);
-        let [first, last] = [&knots[..=degree], &knots[knots.len() - degree - 1..]];
-        claim(clamped(first) && clamped(last), &|| format!("the first or last {} knots differ", degree + 1));
-    }
+    let least = if *periodic { 3 } else { degree + 1 };
+    let own = [
+        (*periodic != strip.closed)
+            .then(|| format!("closed is {} but the curve's periodic {periodic}", strip.closed)),
+        (!controls.iter().all(finite)).then(|| "a control point is not finite".into()),
+        (controls.len() < least)
+            .then(|| format!("{} control points, at least {least} needed", controls.len())),
+    ];
+    let mut faults: Vec<String> = own.into_iter().flatten().collect();
+    faults.extend(knot_faults(&strip.curve));
     faults.extend(loose_ends(network, strip));
     faults
+}
+
+fn knot_faults(curve: &BSpline) -> Vec<String> {
+    let (degree, knots) = (curve.degree, &curve.knots);
+    let wanted = curve.controls.len() + if curve.periodic { 1 } else { degree + 1 };
+    let falls = knots.windows(2).position(|w| w[0] > w[1]);
+    let same = |ends: &[f64]| ends.iter().all(|x| x == &ends[0]);
+    let loose = !curve.periodic
+        && knots.len() > degree
+        && !(same(&knots[..=degree]) && same(&knots[knots.len() - degree - 1..]));
+    let faults = [
+        (knots.len() != wanted).then(|| format!("{} knots, {wanted} needed", knots.len())),
+        (!knots.iter().all(|x| x.is_finite())).then(|| "a knot is not finite".into()),
+        falls.map(|i| format!("the knots fall after knot {i}")),
+        (knots.first() >= knots.last()).then(|| "the knots span nothing".into()),
+        loose.then(|| format!("the first or last {} knots differ", degree + 1)),
+    ];
+    faults.into_iter().flatten().collect()
 }
 
 /// A clamped curve starts and ends in its outer control points.

@@ -7,42 +7,53 @@ use crate::network::{Network, Strip};
 type Trace = Vec<[u64; 3]>;
 
 pub(super) fn faults(network: &Network, strip: &Strip) -> Vec<String> {
-    let mut faults = Vec::new();
-    let mut claim = |holds: bool, fault: &dyn Fn() -> String| {
-        if !holds {
-            faults.push(fault());
-        }
-    };
+    [point_faults(strip), end_faults(network, strip), number_faults(strip)].concat()
+}
+
+fn point_faults(strip: &Strip) -> Vec<String> {
     let points = &strip.points;
     let least = if strip.closed { 3 } else { 2 };
-    claim(points.len() >= least, &|| format!("{} points, at least {least} needed", points.len()));
-    claim(points.iter().all(finite), &|| "a point is not finite".into());
-    claim(strip.length() > 0.0, &|| format!("length {}", strip.length()));
     let repeat = points.windows(2).position(|w| w[0] == w[1]);
-    claim(repeat.is_none(), &|| format!("point {} is repeated", repeat.unwrap_or(0)));
     let seam = strip.closed && points.len() > 1 && points.first() == points.last();
-    claim(!seam, &|| "closed, and its first point is repeated at the end".into());
+    let faults = [
+        (points.len() < least).then(|| format!("{} points, at least {least} needed", points.len())),
+        (!points.iter().all(finite)).then(|| "a point is not finite".into()),
+        // A length that is not a number is named with the points.
+        (strip.length() <= 0.0).then(|| format!("length {}", strip.length())),
+        repeat.map(|i| format!("point {i} is repeated")),
+        seam.then(|| "closed, and its first point is repeated at the end".into()),
+    ];
+    faults.into_iter().flatten().collect()
+}
 
-    let ends = [("start", strip.start, points.first()), ("end", strip.end, points.last())];
+fn end_faults(network: &Network, strip: &Strip) -> Vec<String> {
+    let mut faults = Vec::new();
+    let ends = [("start", strip.start, strip.points.first()), ("end", strip.end, strip.points.last())];
     for (name, node, point) in ends {
-        claim(strip.closed == node.is_none(), &|| format!("closed is {}, {name} is {node:?}", strip.closed));
-        let Some(id) = node else { continue };
-        let Some(at) = network.nodes.get(id as usize) else {
-            claim(false, &|| format!("{name} is node {id} of {}", network.nodes.len()));
-            continue;
-        };
-        claim(point == Some(&at.position), &|| {
-            format!("{name} point {point:?} is not on its node {id} at {:?}", at.position)
-        });
+        if strip.closed != node.is_none() {
+            faults.push(format!("closed is {}, {name} is {node:?}", strip.closed));
+        }
+        match node.map(|id| (id, network.nodes.get(id as usize))) {
+            Some((id, None)) => faults.push(format!("{name} is node {id} of {}", network.nodes.len())),
+            Some((id, Some(at))) if point != Some(&at.position) => {
+                faults.push(format!("{name} point {point:?} is not on its node {id} at {:?}", at.position));
+            }
+            _ => {}
+        }
     }
-
-    let deviation = strip.deviation;
-    claim(deviation.is_finite() && deviation >= 0.0, &|| format!("deviation {deviation}"));
-    claim((0.0..=1.0).contains(&strip.confidence), &|| format!("confidence {}", strip.confidence));
-    claim(!strip.sources.is_empty(), &|| "no source".into());
-    let stuck = strip.sources.windows(2).find(|w| w[0] == w[1]);
-    claim(stuck.is_none(), &|| format!("source {} twice in a row", stuck.map_or(0, |w| w[0])));
     faults
+}
+
+fn number_faults(strip: &Strip) -> Vec<String> {
+    let Strip { deviation, confidence, sources, .. } = strip;
+    let stuck = sources.windows(2).find(|w| w[0] == w[1]);
+    let faults = [
+        (!(deviation.is_finite() && *deviation >= 0.0)).then(|| format!("deviation {deviation}")),
+        (!(0.0..=1.0).contains(confidence)).then(|| format!("confidence {confidence}")),
+        sources.is_empty().then(|| "no source".into()),
+        stuck.map(|w| format!("source {} twice in a row", w[0])),
+    ];
+    faults.into_iter().flatten().collect()
 }
 
 /// Strips that are another strip once more: the same points from either end, or around a loop from any start.

@@ -1,8 +1,9 @@
 //! An L-bracket with a bore and a boss, and the round features that plane faces can carry.
 
 use super::Shape;
-use super::face::{Axes, Face, Surface, Trim};
+use super::face::{Face, Trim};
 use super::polyhedron::prism;
+use super::surface::{Axes, Surface};
 use super::truth::{Fold, TruthCurve, circle};
 
 /// Depth along x, length of the foot along y, height of the wall along z, thickness of both.

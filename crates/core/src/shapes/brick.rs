@@ -1,8 +1,8 @@
 //! Demarsin's brick: five cylinders on a plane.
 
 use super::Shape;
-use super::face::Axes;
 use super::polyhedron::polyhedron;
+use super::surface::Axes;
 use super::truth::Fold;
 
 /// A plane, 10 by 7, with four walls at right angles that are open below; on it four cylinders that are open above, and

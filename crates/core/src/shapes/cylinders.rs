@@ -2,8 +2,9 @@
 //! figures 1 to 6).
 
 use super::Shape;
-use super::face::{Axes, Trim};
+use super::face::Trim;
 use super::revolution::revolve_about;
+use super::surface::Axes;
 use super::truth::{CIRCLE, Fold, Truth, TruthCurve, fold_between};
 use super::turns::sin_cos;
 use crate::math::vec3::unit;

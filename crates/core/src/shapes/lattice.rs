@@ -7,7 +7,7 @@
 
 use std::f64::consts::TAU;
 
-use super::face::{Surface, slant};
+use super::surface::{Surface, slant};
 use super::truth::TruthCurve;
 use super::turns::sin_cos;
 use super::{Shape, line_index::LineIndex};

@@ -3,15 +3,16 @@
 use std::collections::BTreeMap;
 
 use super::Shape;
-use super::face::{Axes, Face, Surface, Trim, shoelace};
+use super::face::{Face, Trim, shoelace};
+use super::surface::{Axes, Surface};
 use super::truth::{Fold, Truth, TruthCurve, fold_between};
 use crate::math::vec3::{add, cross, dot, sub, unit};
 
 /// Faces with their corners in order, seen from outside turning left. An edge of two faces becomes a crease (no
 /// curve, if the faces are coplanar), an edge of one face a border; corners are the nodes, so that each is to turn.
 ///
-/// Corners of a face must lie in one plane, and each edge belong to at most two faces.
-pub fn polyhedron(name: &'static str, corners: &[[f64; 3]], outlines: &[&[u32]]) -> Shape {
+/// Corners of a face (at least three, distinct) must lie in one plane, and each edge belong to at most two faces.
+pub(super) fn polyhedron(name: &'static str, corners: &[[f64; 3]], outlines: &[&[u32]]) -> Shape {
     let faces: Vec<Face> = outlines.iter().map(|outline| plane_face(corners, outline)).collect();
     // For each edge, its faces with the way in which they pass it.
     let mut edges: BTreeMap<[u32; 2], Vec<(usize, bool)>> = BTreeMap::new();

@@ -1,6 +1,7 @@
 //! Where a ray meets a face: the scanner's eye.
 
-use super::face::{Axes, Face, Surface};
+use super::face::Face;
+use super::surface::{Axes, Surface};
 use crate::math::vec3::{add_scaled, dot};
 
 /// Steps in which a torus is searched along a ray. A graze between two steps is missed, as a scanner would miss it.

@@ -1,7 +1,8 @@
 //! Shapes turned about the z axis.
 
 use super::Shape;
-use super::face::{Axes, Face, Surface};
+use super::face::Face;
+use super::surface::{Axes, Surface};
 use super::truth::{Fold, Truth, TruthCurve, circle, fold_between};
 
 /// The surface that a polyline of `(r, z)`, r at least 0, sweeps about the z axis, its outside to the right of the

@@ -42,6 +42,7 @@ const SAMPLES: &[Sample] = &[
         description: "cube on a grid of 9 by 9 points a face, 386 in all, 92 on edges; the same for each seed",
         make: |_| cube_386(),
     },
+    // No cube has a grid of 15,206 points: with m steps an edge it has 6 m^2 + 2.
     Sample {
         name: "cube-15206",
         description: "cube of 15,206 evenly spread points, the size of Demarsin's",

@@ -22,9 +22,10 @@ pub struct Scan {
 /// Where the points of a [`Scan`] lie.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sampling {
-    /// On lattices, edges and corners included: see `shapes::lattice`.
+    /// On lattices, edges and corners included: at equal steps along each curve of the truth, and on a lattice inside
+    /// each face that keeps half a step from the curves.
     Grid {
-        /// Distance of neighbours, in the unit of the shape.
+        /// Distance of neighbours, above 0, in the unit of the shape.
         step: f64,
     },
     /// Independent and uniform by area.
@@ -41,7 +42,7 @@ pub enum Sampling {
     Scanner {
         /// Number of views, in directions spread evenly over the sphere.
         views: u32,
-        /// Distance of neighbouring rays where they pass the shape's centre, in the unit of the shape.
+        /// Distance of neighbouring rays where they pass the shape's centre, above 0, in the unit of the shape.
         pitch: f64,
         /// Distance of the eye from the centre in radii of the bounding sphere, above 1; `None`: parallel rays.
         distance: Option<f64>,
@@ -184,9 +185,11 @@ fn thin(points: &mut Vec<[f64; 3]>, faces: &mut Vec<u32>, gradient: Gradient, rn
     let coordinate = |p: &[f64; 3]| p[axis.min(2)];
     let low = points.iter().map(coordinate).fold(f64::INFINITY, f64::min);
     let high = points.iter().map(coordinate).fold(f64::NEG_INFINITY, f64::max);
+    if low >= high {
+        return;
+    }
     let chance = |p: &[f64; 3]| 1.0 - (1.0 - 1.0 / ratio) * (coordinate(p) - low) / (high - low);
-    // A flat cloud gives a chance that is not a number: nothing is taken away then.
-    let kept: Vec<bool> = points.iter().map(|p| !(rng.uniform() >= chance(p))).collect();
+    let kept: Vec<bool> = points.iter().map(|p| rng.uniform() < chance(p)).collect();
     let (mut i, mut j) = (0, 0);
     points.retain(|_| (kept[i], i += 1).0);
     faces.retain(|_| (kept[j], j += 1).0);

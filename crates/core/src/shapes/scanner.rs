@@ -4,7 +4,7 @@ use super::Shape;
 use super::random::Rng;
 use super::turns::sin_cos;
 use crate::math::vec3::{add, add_scaled, distance, dot, scale, sub, unit};
-use crate::shapes::face::Axes;
+use crate::shapes::surface::Axes;
 
 /// The scanner's settings: see `Sampling::Scanner`.
 pub(super) struct Rig {
