@@ -31,10 +31,10 @@ pub fn wedge(fold_deg: f64) -> Shape {
     prism("wedge", &outline, 2.0, |[y, z, x]| [x, y, z])
 }
 
-/// A prism over a star with this many points (3 at least), outer radius 1, inner radius 0.5, height 2: convex and
-/// concave edges in turn. With 3 points the inner corners are straight, and no edge runs there.
+/// A prism over a star with this many points (4 at least: with 3 the inner corners would be straight), outer radius 1,
+/// inner radius 0.5, height 2: convex and concave edges in turn.
 pub fn star_prism(points: u32) -> Shape {
-    let points = points.max(3);
+    let points = points.max(4);
     let corner = |i: u32| {
         let radius = if i.is_multiple_of(2) { 1.0 } else { 0.5 };
         sin_cos(f64::from(i) / f64::from(2 * points)).map(|x| radius * x)
