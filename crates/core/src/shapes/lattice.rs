@@ -1,7 +1,7 @@
 //! Regular lattices on faces and along curves: the grid sampling.
 //!
 //! Points lie at equal steps along every curve of the truth, nodes once, and inside each face on a lattice of its own
-//! parameters; lattice points nearer than half a step to a curve give way to the curve's. On a cube whose edge is a
+//! parameters; lattice points nearer than half a step to a curve or node give way to it. On a cube whose edge is a
 //! whole number of steps that is the grid whose faces share their edge points. On round curves the points lie on the
 //! truth's chords, 1e-5 of the radius within the circle at most.
 
@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 use super::surface::{Surface, slant};
 use super::truth::TruthCurve;
 use super::turns::sin_cos;
-use super::{Shape, line_index::LineIndex};
+use super::{Shape, Tree};
 use crate::math::vec3::{add_scaled, distance, sub};
 
 /// `(N, 3)` points and the face of each (for points of curves and nodes, the first face that they lie on).
@@ -20,11 +20,16 @@ pub(super) fn grid(shape: &Shape, step: f64) -> (Vec<[f64; 3]>, Vec<u32>) {
         points.append(&mut along(curve, step));
     }
     let mut faces: Vec<u32> = points.iter().map(|&p| nearest_face(shape, p)).collect();
-    let curves: LineIndex = shape.network.index(step / 2.0);
+    let [sharp, weak] = [shape.network.index(step / 2.0), shape.network.index_of_weak(step / 2.0)];
+    let nodes = Tree::new(&points[..shape.network.nodes.len()]);
+    let clear = |p| {
+        let to_node = nodes.nearest(p).map_or(f64::INFINITY, |(_, d2)| d2.sqrt());
+        sharp.distance(p).min(weak.distance(p)).min(to_node) > 0.5 * step
+    };
     for (id, face) in (0..).zip(&shape.faces) {
         for uv in lattice(&face.surface, step) {
             let p = face.surface.at(uv);
-            if face.holds(p) && curves.distance(p) > 0.5 * step {
+            if face.holds(p) && clear(p) {
                 points.push(p);
                 faces.push(id);
             }

@@ -120,3 +120,55 @@ fn to_segment(p: [f64; 3], a: [f64; 3], b: [f64; 3]) -> f64 {
     let along = if length2 > 0.0 { (dot(sub(p, a), ab) / length2).clamp(0.0, 1.0) } else { 0.0 };
     distance(p, add_scaled(a, ab, along))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::network::StripKind;
+    use crate::shapes::truth::Fold;
+    use crate::shapes::{Rng, bracket, sheet_with_hole};
+
+    #[test]
+    fn distance_is_that_to_the_nearest_segment_of_all() {
+        let mut rng = Rng::new(2);
+        for truth in [bracket().network, sheet_with_hole().network] {
+            let index = truth.index(0.05);
+            for _ in 0..300 {
+                let p = [rng.between(-1.0, 5.0), rng.between(-1.0, 7.0), rng.between(-1.0, 6.0)];
+                let segments = truth.curves.iter().flat_map(TruthCurve::segments);
+                let exact = segments.map(|[a, b]| to_segment(p, a, b)).fold(f64::INFINITY, f64::min);
+                let excess = index.distance(p) - exact;
+                assert!((-1e-12..=0.05 * 0.05 / 8.0 / exact + 1e-12).contains(&excess), "{p:?} {excess}");
+            }
+        }
+    }
+
+    #[test]
+    fn pieces_are_no_longer_than_the_step_and_keep_the_corners() {
+        let square = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+        let open = densify(&square, false, 0.3);
+        let closed = densify(&square, true, 0.3);
+        assert_eq!([open.len(), closed.len()], [13, 17]);
+        assert_eq!(closed.first(), closed.last());
+        assert!(closed.windows(2).all(|w| distance(w[0], w[1]) <= 0.3));
+        assert!(square.iter().all(|p| open.contains(p)));
+    }
+
+    #[test]
+    fn a_loop_falls_into_its_weak_and_sharp_stretches() {
+        let points: Vec<[f64; 3]> = (0..8).map(|i| [f64::from(i), f64::from(i * i), 0.0]).collect();
+        let folds = vec![50.0, 50.0, 10.0, 10.0, 10.0, 50.0, 50.0, 50.0];
+        let curve = TruthCurve::new(StripKind::Crease, points, folds, Fold::Convex, None);
+        let truth = Truth { weak_below_deg: 30.0, ..Truth::with_nodes(&[], vec![curve]) };
+        let runs = |weak| -> Vec<Vec<f64>> {
+            let parts = truth.parts(&truth.curves[0], weak);
+            assert!(parts.iter().all(|p| !p.closed));
+            parts.iter().map(|p| p.points.iter().map(|q| q[0]).collect()).collect()
+        };
+        assert_eq!(runs(true), [[2.0, 3.0, 4.0]]);
+        assert_eq!(runs(false), [vec![0.0, 1.0], vec![5.0, 6.0, 7.0, 0.0]]);
+        let strong = Truth { weak_below_deg: 0.0, ..truth.clone() };
+        assert!(strong.parts(&strong.curves[0], false)[0].closed);
+        assert!(strong.parts(&strong.curves[0], true).is_empty());
+    }
+}

@@ -300,6 +300,37 @@ fn a_scanner_sees_only_what_nothing_hides() {
 }
 
 #[test]
+fn a_scanner_loses_what_it_sees_at_a_grazing_angle() {
+    let view = |grazing_deg| Sampling::Scanner { views: 1, pitch: 0.02, distance: None, grazing_deg };
+    let widest = |limit: f64| {
+        let got = sphere(1.0).sample(&Scan::new(view(limit)));
+        // The one view looks along -x; on a unit sphere the normal is the point.
+        let least = got.clean.iter().map(|p| p[0]).fold(f64::INFINITY, f64::min);
+        assert!(least > 0.0, "nothing behind is seen");
+        least.acos().to_degrees()
+    };
+    for limit in [40.0, 80.0] {
+        assert!((limit - 3.0..=limit + 1e-9).contains(&widest(limit)), "{limit} {}", widest(limit));
+    }
+}
+
+#[test]
+fn a_grid_has_its_step_on_curved_faces_too() {
+    for shape in [sphere(1.0), torus(1.0, 0.4), tube(), cone(1.0, 2.0), bracket(), cylinders(1.0, 1.0)] {
+        let got = shape.sample(&Scan::new(Sampling::Grid { step: 0.1 }));
+        let tree = Tree::new(&got.clean);
+        let nearest: Vec<f64> = got.clean.iter().map(|&p| tree.k_nearest(p, 2)[1].0.sqrt()).collect();
+        let mean = nearest.iter().sum::<f64>() / nearest.len() as f64;
+        assert!((0.075..0.105).contains(&mean), "{} {mean}", shape.name);
+        let odd: Vec<_> =
+            nearest.iter().zip(&got.clean).filter(|(d, _)| !(0.035..0.13).contains(*d)).collect();
+        assert!(odd.is_empty(), "{} {odd:?}", shape.name);
+        let share = got.clean.len() as f64 * 0.01 / shape.area();
+        assert!((0.9..1.15).contains(&share), "{} {share}", shape.name);
+    }
+}
+
+#[test]
 fn labels_name_the_points_near_the_truth() {
     let got = cube(1.0).sample(&Scan::new(Sampling::Area { count: 5000 }).seed(8));
     let to_edge = |p: &[f64; 3]| {
