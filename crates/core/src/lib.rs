@@ -1,5 +1,6 @@
 //! Feature lines from point clouds.
 
+pub mod check;
 pub mod classify;
 pub mod cloud;
 pub mod curve;
@@ -16,6 +17,7 @@ pub mod params;
 pub mod pattern;
 pub mod recover;
 pub mod resolution;
+pub mod shapes;
 
 pub use cloud::{Attribute, Cloud, Column};
 pub use error::Error;

@@ -1,0 +1,81 @@
+//! Invariants of a network's strips.
+
+use super::finite;
+use crate::network::{Network, Strip};
+
+/// The points in one direction from one start, as bits, so that they order and compare.
+type Trace = Vec<[u64; 3]>;
+
+pub(super) fn faults(network: &Network, strip: &Strip) -> Vec<String> {
+    [point_faults(strip), end_faults(network, strip), number_faults(strip)].concat()
+}
+
+fn point_faults(strip: &Strip) -> Vec<String> {
+    let points = &strip.points;
+    let least = if strip.closed { 3 } else { 2 };
+    let repeat = points.windows(2).position(|w| w[0] == w[1]);
+    let seam = strip.closed && points.len() > 1 && points.first() == points.last();
+    let faults = [
+        (points.len() < least).then(|| format!("{} points, at least {least} needed", points.len())),
+        (!points.iter().all(finite)).then(|| "a point is not finite".into()),
+        // A length that is not a number is named with the points.
+        (strip.length() <= 0.0).then(|| format!("length {}", strip.length())),
+        repeat.map(|i| format!("point {i} is repeated")),
+        seam.then(|| "closed, and its first point is repeated at the end".into()),
+    ];
+    faults.into_iter().flatten().collect()
+}
+
+fn end_faults(network: &Network, strip: &Strip) -> Vec<String> {
+    let mut faults = Vec::new();
+    let ends = [("start", strip.start, strip.points.first()), ("end", strip.end, strip.points.last())];
+    for (name, node, point) in ends {
+        if strip.closed != node.is_none() {
+            faults.push(format!("closed is {}, {name} is {node:?}", strip.closed));
+        }
+        match node.map(|id| (id, network.nodes.get(id as usize))) {
+            Some((id, None)) => faults.push(format!("{name} is node {id} of {}", network.nodes.len())),
+            Some((id, Some(at))) if point != Some(&at.position) => {
+                faults.push(format!("{name} point {point:?} is not on its node {id} at {:?}", at.position));
+            }
+            _ => {}
+        }
+    }
+    faults
+}
+
+fn number_faults(strip: &Strip) -> Vec<String> {
+    let Strip { deviation, confidence, sources, .. } = strip;
+    let stuck = sources.windows(2).find(|w| w[0] == w[1]);
+    let faults = [
+        (!(deviation.is_finite() && *deviation >= 0.0)).then(|| format!("deviation {deviation}")),
+        (!(0.0..=1.0).contains(confidence)).then(|| format!("confidence {confidence}")),
+        sources.is_empty().then(|| "no source".into()),
+        stuck.map(|w| format!("source {} twice in a row", w[0])),
+    ];
+    faults.into_iter().flatten().collect()
+}
+
+/// Strips that are another strip once more: the same points from either end, or around a loop from any start.
+pub(super) fn twins(network: &Network) -> Vec<String> {
+    let mut traces: Vec<(bool, Trace, usize)> =
+        network.strips.iter().enumerate().map(|(i, s)| (s.closed, canonical(s), i)).collect();
+    traces.sort();
+    let same = traces.windows(2).filter(|w| (w[0].0, &w[0].1) == (w[1].0, &w[1].1));
+    same.map(|w| format!("strips {} and {}: the same points", w[0].2, w[1].2)).collect()
+}
+
+/// The least of the traces that say the same line.
+fn canonical(strip: &Strip) -> Trace {
+    let mut forwards: Trace = strip.points.iter().map(|p| p.map(|x| (x + 0.0).to_bits())).collect();
+    if strip.closed {
+        let least = (0..forwards.len()).min_by_key(|&i| forwards[i]).unwrap_or(0);
+        forwards.rotate_left(least);
+    }
+    let mut backwards = forwards.clone();
+    backwards.reverse();
+    if strip.closed {
+        backwards.rotate_right(1.min(forwards.len()));
+    }
+    forwards.min(backwards)
+}
