@@ -69,6 +69,7 @@ pub(super) fn find(source: &mut Source) -> Result<Layout, Error> {
         separator(&sample.rows).map_err(|(found, advice)| source.fault(place, found, advice))?;
     let columns = fields(first, separator).len();
     let header = names(&sample, separator, columns);
+    let titles = sample.titles - u64::from(header.is_some() && !sample.header_is_comment);
     if header.is_none() && separator == Separator::Byte(b',') && columns > 3 && all_digits(&sample.rows) {
         let found = format!("{columns} columns of whole numbers separated by commas, without names");
         let advice = "the commas may be decimal signs: put a line of names (x,y,z,...) first, or separate by semicolons";
@@ -86,14 +87,10 @@ pub(super) fn find(source: &mut Source) -> Result<Layout, Error> {
     };
     assign(&mut layout, header, first, columns)
         .map_err(|(found, advice)| source.fault(place, found, advice))?;
-    note_titles(&mut layout, &sample);
-    Ok(layout)
-}
-
-fn note_titles(layout: &mut Layout, sample: &Sample) {
-    if sample.titles > 0 {
-        layout.ignored.push(format!("{} title lines before the rows", sample.titles));
+    if titles > 0 {
+        layout.ignored.push(format!("{titles} title lines before the rows"));
     }
+    Ok(layout)
 }
 
 /// Gathers the sample from what the source shows without being moved.
@@ -118,7 +115,8 @@ fn sample(source: &mut Source) -> Result<Sample, Error> {
 impl Sample {
     fn take(&mut self, line: &[u8]) {
         let blank = line.trim_ascii().is_empty();
-        if !blank && !is_comment(line) && is_row(line) {
+        let count = integer(line.trim_ascii());
+        if !blank && !is_comment(line) && (count.is_none() || !self.rows.is_empty()) && is_row(line) {
             self.bytes += line.len() + 1;
             self.rows.push(line.to_vec());
             return;
@@ -135,8 +133,8 @@ impl Sample {
                 self.header = Some(uncommented(line).to_vec());
                 self.header_is_comment = true;
             }
-        } else if let Some(count) = integer(line.trim_ascii()) {
-            self.announced = Some(count);
+        } else if count.is_some() {
+            self.announced = count;
         } else {
             self.titles += 1;
             self.header = Some(line.to_vec());
@@ -145,13 +143,19 @@ impl Sample {
     }
 }
 
-/// Whether a line holds at least three numbers, whatever the separator is.
+/// Whether a line is a row, whatever the separator is: three numbers or more, or nothing but numbers. A short row
+/// is a row too, so that it is refused and not taken for a title.
 fn is_row(line: &[u8]) -> bool {
-    let parts = line.split(|&b| is_blank(b) || matches!(b, b',' | b';' | b'"'));
-    parts
-        .filter(|part| part.first().is_some_and(|b| !b.is_ascii_alphabetic()) && parse(part).is_some())
-        .count()
-        >= 3
+    let (mut numbers, mut digits, mut words) = (0, false, false);
+    for part in line.split(|&b| is_blank(b) || matches!(b, b',' | b';' | b'"')) {
+        if parse(part).is_some() {
+            numbers += 1;
+            digits |= part.iter().any(u8::is_ascii_digit);
+        } else {
+            words |= part.iter().any(u8::is_ascii_alphabetic);
+        }
+    }
+    digits && (numbers >= 3 || !words)
 }
 
 /// What is found and what can be done.
