@@ -6,7 +6,8 @@ use lineament_io::{NetworkContext, write_network};
 use std::path::Path;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let context = NetworkContext { program_version: env!("CARGO_PKG_VERSION").into(), ..NetworkContext::default() };
+    let context =
+        NetworkContext { program_version: env!("CARGO_PKG_VERSION").into(), ..NetworkContext::default() };
     for out in std::env::args().skip(1) {
         write_network(Path::new(&out), &[], &network(), &context)?;
     }
