@@ -15,10 +15,12 @@ pub enum Format {
     Table,
     /// Wavefront object.
     Obj,
+    /// Point cloud data, ascii, binary or compressed.
+    Pcd,
 }
 
 /// Format, name in messages, extensions.
-const FORMATS: [(Format, &str, &[&str]); 3] = [
+const FORMATS: [(Format, &str, &[&str]); 4] = [
     (Format::Ply, "PLY", &["ply"]),
     (
         Format::Table,
@@ -26,16 +28,16 @@ const FORMATS: [(Format, &str, &[&str]); 3] = [
         &["xyz", "txt", "csv", "asc", "tsv", "dat", "xyzn", "xyzrgb", "pwn", "neu", "pts"],
     ),
     (Format::Obj, "OBJ", &["obj"]),
+    (Format::Pcd, "PCD", &["pcd"]),
 ];
 
 /// What begins with these bytes is a known format that this version does not read.
-const FOREIGN: [(&[u8], &str); 7] = [
+const FOREIGN: [(&[u8], &str); 6] = [
     (b"LASF", "LAS or LAZ"),
     (b"ASTM-E57", "E57"),
     (b"\x93NUMPY", "NPY"),
     (b"PAR1", "Parquet"),
     (b"glTF", "GLB"),
-    (b"# .PCD", "PCD"),
     (b"PK\x03\x04", "a zip archive (NPZ or other)"),
 ];
 
@@ -79,13 +81,14 @@ impl Format {
         if let Some(format) = by_text(start, named) {
             return Ok(format);
         }
-        let known = "known formats are PLY, XYZ/TXT/CSV and OBJ";
+        let names: Vec<&str> = FORMATS.iter().map(|(_, name, _)| *name).collect();
+        let known = format!("known formats are {}", names.join(", "));
         let advice = if start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff") {
             "it looks like UTF-16 text: save it as UTF-8".into()
         } else {
             match named {
                 Some(format) => format!("the name says {format}, the content does not; {known}"),
-                None => known.to_string(),
+                None => known,
             }
         };
         Err(Error::UnknownFormat { name: name.into(), found: shown(&start[..start.len().min(16)]), advice })
@@ -93,8 +96,15 @@ impl Format {
 }
 
 fn by_magic(start: &[u8]) -> Option<Format> {
-    let ply = start.starts_with(b"ply") && start.get(3).is_none_or(u8::is_ascii_whitespace);
-    ply.then_some(Format::Ply)
+    let word =
+        |word: &[u8]| start.starts_with(word) && start.get(word.len()).is_none_or(u8::is_ascii_whitespace);
+    if word(b"ply") {
+        return Some(Format::Ply);
+    }
+    if start.starts_with(b"# .PCD") || [b"VERSION" as &[u8], b"FIELDS", b"COLUMNS"].into_iter().any(word) {
+        return Some(Format::Pcd);
+    }
+    None
 }
 
 /// Text is OBJ if its first statement is one of OBJ's, otherwise a table.
@@ -108,7 +118,7 @@ fn by_text(start: &[u8], named: Option<Format>) -> Option<Format> {
     match statement {
         Some(word) if OBJ_KEYWORDS.contains(&word) => Some(Format::Obj),
         None if named == Some(Format::Obj) => Some(Format::Obj),
-        Some(_) if named == Some(Format::Ply) => None,
+        Some(_) if matches!(named, Some(Format::Ply | Format::Pcd)) => None,
         _ => Some(Format::Table),
     }
 }

@@ -1,7 +1,10 @@
 //! From an input to a cloud: opening, recognising, dispatching.
 
+mod limit;
 mod obj;
+mod pcd;
 mod ply;
+pub(crate) mod rows;
 mod table;
 
 use crate::error::Error;
@@ -22,13 +25,16 @@ pub struct ReadOptions {
     pub attributes: bool,
     /// Compute the SHA-256 of the input on the way.
     pub hash: bool,
+    /// Bytes that the points of a compressed input may take in memory. `None` is 64 MiB and eight times the input:
+    /// enough for what programs write, too little for a small file that unpacks without end.
+    pub memory: Option<u64>,
     /// Take the input for this format, whatever it looks like.
     pub format: Option<Format>,
 }
 
 impl Default for ReadOptions {
     fn default() -> Self {
-        Self { salvage: false, attributes: true, hash: false, format: None }
+        Self { salvage: false, attributes: true, hash: false, memory: None, format: None }
     }
 }
 
@@ -133,6 +139,7 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         Format::Ply => ply::read(&mut source, options)?,
         Format::Table => table::read(&mut source, options)?,
         Format::Obj => obj::read(&mut source, options)?,
+        Format::Pcd => pcd::read(&mut source, options)?,
     };
     source.drain()?;
     let Decoded { cloud, ignored, missing } = decoded;

@@ -51,6 +51,11 @@ impl Source {
         self.offset
     }
 
+    /// Bytes of the input, or those seen of it so far.
+    pub fn size(&self) -> u64 {
+        self.length.unwrap_or(self.offset + (self.end - self.start) as u64)
+    }
+
     /// Bytes not yet consumed, if the length of the input is known or its end is in sight.
     pub fn remaining(&self) -> Option<u64> {
         if self.ended {
@@ -151,7 +156,7 @@ impl Source {
 
     /// The input stopped short of what was announced.
     pub fn ends_early(&self, unit: impl Into<String>, expected: u64, read: u64) -> Error {
-        let place = Place::Byte(self.length.unwrap_or(self.offset + (self.end - self.start) as u64));
+        let place = Place::Byte(self.size());
         Error::EndsEarly { name: self.name.clone(), place, unit: unit.into(), expected, read }
     }
 

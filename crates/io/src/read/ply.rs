@@ -6,12 +6,12 @@ mod ascii;
 mod binary;
 mod header;
 
+use super::rows::{Table, room};
 use super::{Decoded, ReadOptions};
 use crate::columns::Scalar;
 use crate::error::Error;
 use crate::source::Source;
 use header::{Element, Encoding, Header, Kind};
-use lineament::Attribute;
 
 /// Reads a PLY input from its first byte.
 pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
@@ -56,13 +56,12 @@ fn read_vertices(
     options: &ReadOptions,
     out: &mut Decoded,
 ) -> Result<bool, Error> {
-    let mut table = Table::new(source, header.encoding, element, options)?;
+    let mut table = table(source, header.encoding, element, options)?;
     let rows = match header.encoding {
         Encoding::Ascii => ascii::rows(source, element, &mut table, options.salvage)?,
         Encoding::Binary(endian) => binary::rows(source, element, endian, &mut table)?,
     };
-    out.cloud.positions = table.positions;
-    out.cloud.attributes = table.columns.into_iter().map(|(_, attribute)| attribute).collect();
+    out.cloud = table.into_cloud();
     check(source, element, rows, options, out)
 }
 
@@ -73,55 +72,23 @@ fn skip(source: &mut Source, encoding: Encoding, element: &Element) -> Result<u6
     }
 }
 
-/// The columns that the rows of element `vertex` go into.
-struct Table {
-    positions: Vec<[f64; 3]>,
-    /// Property index of x, y and z.
-    axes: [usize; 3],
-    /// Property index and column of every other scalar property.
-    columns: Vec<(usize, Attribute)>,
-}
-
-impl Table {
-    /// Empty columns, with room for the rows announced as far as the bytes that are there can hold them.
-    fn new(
-        source: &Source,
-        encoding: Encoding,
-        element: &Element,
-        options: &ReadOptions,
-    ) -> Result<Self, Error> {
-        let axes = element.axes(source)?;
-        let least = element.least_bytes(encoding).max(1);
-        let room = source.remaining().map_or(1 << 16, |bytes| bytes / least).min(element.count) as usize;
-        let mut columns = Vec::new();
-        let kept =
-            element.properties.iter().enumerate().filter(|(i, _)| options.attributes && !axes.contains(i));
-        for (index, property) in kept {
-            if let Kind::Scalar(kind) = property.kind {
-                columns.push((index, Attribute { name: property.name.clone(), values: kind.column(room) }));
-            }
-        }
-        Ok(Self { positions: Vec::with_capacity(room), axes, columns })
-    }
-
-    /// Appends one row from its scalar values, indexed by property. The property whose type cannot hold its
-    /// value is the error.
-    fn push(&mut self, values: &[f64]) -> Result<(), usize> {
-        for (index, attribute) in &mut self.columns {
-            if !crate::columns::push(&mut attribute.values, values[*index]) {
-                return Err(*index);
-            }
-        }
-        self.positions.push(self.axes.map(|i| values[i]));
-        Ok(())
-    }
-
-    /// Drops what a row that could not be finished left behind.
-    fn level(&mut self) {
-        for (_, attribute) in &mut self.columns {
-            crate::columns::truncate(&mut attribute.values, self.positions.len());
+/// Empty columns, with room for the rows announced as far as the bytes that are there can hold them.
+fn table(
+    source: &Source,
+    encoding: Encoding,
+    element: &Element,
+    options: &ReadOptions,
+) -> Result<Table, Error> {
+    let axes = element.axes(source)?;
+    let room = room(source, element.count, element.least_bytes(encoding));
+    let mut attributes = Vec::new();
+    let kept = element.properties.iter().enumerate().filter(|(i, _)| options.attributes && !axes.contains(i));
+    for (index, property) in kept {
+        if let Kind::Scalar(kind) = property.kind {
+            attributes.push((index, property.name.clone(), kind));
         }
     }
+    Ok(Table::new(axes, attributes, room))
 }
 
 /// Says what was walked over and what follows the last element.

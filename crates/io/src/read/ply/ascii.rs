@@ -1,9 +1,9 @@
 //! Rows of ascii PLY inputs: one line each, blank lines between them allowed.
 
-use super::Table;
 use super::header::{Element, Kind, Property};
 use crate::error::Error;
 use crate::number::{parse, shown, token};
+use crate::read::rows::Table;
 use crate::source::Source;
 
 /// Reads rows into the table; gives how many were there whole. With `salvage` a row that is cut off at the very

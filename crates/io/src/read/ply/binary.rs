@@ -1,21 +1,18 @@
 //! Rows of binary PLY inputs.
 
-use super::Table;
 use super::header::{Element, Kind};
-use crate::columns::{Endian, Scalar, append};
+use crate::columns::{Endian, append};
 use crate::error::Error;
+use crate::read::rows::{Field, Table};
 use crate::source::Source;
 
-/// Bytes decoded at a time: they stay in the second-level cache while every column takes its part.
-const CHUNK: usize = 1 << 17;
-
 /// The offset of every property in a row and the bytes of a row; `None` if a list makes rows differ.
-fn layout(element: &Element) -> Option<(Vec<(usize, Scalar)>, usize)> {
+fn layout(element: &Element) -> Option<(Vec<Field>, usize)> {
     let mut stride = 0;
     let mut fields = Vec::with_capacity(element.properties.len());
     for property in &element.properties {
         let Kind::Scalar(kind) = property.kind else { return None };
-        fields.push((stride, kind));
+        fields.push(Field { offset: stride, kind });
         stride += kind.size();
     }
     Some((fields, stride))
@@ -29,7 +26,7 @@ pub(super) fn rows(
     table: &mut Table,
 ) -> Result<u64, Error> {
     match layout(element) {
-        Some((fields, stride)) => fixed(source, element.count, &fields, stride, endian, table),
+        Some((fields, stride)) => table.read(source, element.count, stride, &fields, endian),
         None => varied(source, element, endian, table),
     }
 }
@@ -51,38 +48,6 @@ pub(super) fn skip(source: &mut Source, element: &Element, endian: Endian) -> Re
             Ok(row)
         }
     }
-}
-
-/// Rows of equal size: a chunk at a time, column by column.
-fn fixed(
-    source: &mut Source,
-    count: u64,
-    fields: &[(usize, Scalar)],
-    stride: usize,
-    endian: Endian,
-    table: &mut Table,
-) -> Result<u64, Error> {
-    let mut done = 0;
-    while done < count {
-        let here = source.peek(stride.max(CHUNK))?;
-        let rows = ((here.len() / stride) as u64).min(count - done) as usize;
-        if rows == 0 {
-            break;
-        }
-        let bytes = &here[..rows * stride];
-        let first = table.positions.len();
-        table.positions.resize(first + rows, [0.0; 3]);
-        for (axis, &index) in table.axes.iter().enumerate() {
-            let (offset, kind) = fields[index];
-            kind.fill_axis(bytes, stride, offset, endian, &mut table.positions[first..], axis);
-        }
-        for (index, attribute) in &mut table.columns {
-            append(&mut attribute.values, bytes, stride, fields[*index].0, endian);
-        }
-        source.consume(rows * stride);
-        done += rows as u64;
-    }
-    Ok(done)
 }
 
 /// Rows with lists: one at a time.
