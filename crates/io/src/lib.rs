@@ -1,1 +1,31 @@
 //! Readers of point clouds and writers of feature lines.
+//!
+//! ```no_run
+//! use lineament_io::{ReadOptions, read};
+//! let scan = read("part.ply".as_ref(), &ReadOptions::default())?;
+//! println!("{} points from {}", scan.cloud.len(), scan.format);
+//! # Ok::<(), lineament_io::Error>(())
+//! ```
+//!
+//! Formats are recognised by content first and by extension second. Every reader gives all points or an
+//! [`Error`] that names the file, the place and the reason; counts and lengths that a file claims are compared
+//! with the bytes that are there before memory is taken for them. Outputs appear whole or not at all.
+#![forbid(unsafe_code)]
+
+mod columns;
+mod error;
+mod format;
+mod number;
+mod output;
+mod read;
+mod source;
+mod write;
+
+pub use error::{Error, Place};
+pub use format::Format;
+pub use output::{Output, check_output};
+pub use read::{Missing, ReadOptions, Scan, read, read_from};
+pub use write::{
+    NetworkContext, NetworkFormat, Parameter, PointFormat, PointTable, network_format, point_format,
+    write_network, write_network_to, write_points, write_points_to,
+};

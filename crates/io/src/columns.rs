@@ -1,0 +1,241 @@
+//! Number types of files and the columns that their values go into.
+
+use lineament::Column;
+
+/// A number type that a file stores.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Scalar {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    I64,
+    U64,
+    F32,
+    F64,
+}
+
+/// The order of the bytes of a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Endian {
+    Little,
+    Big,
+}
+
+/// Runs `$body` with `$v` bound to the vector inside a column, whatever its type.
+macro_rules! each_column {
+    ($column:expr, $v:ident => $body:expr) => {
+        match $column {
+            lineament::Column::I8($v) => $body,
+            lineament::Column::U8($v) => $body,
+            lineament::Column::I16($v) => $body,
+            lineament::Column::U16($v) => $body,
+            lineament::Column::I32($v) => $body,
+            lineament::Column::U32($v) => $body,
+            lineament::Column::I64($v) => $body,
+            lineament::Column::U64($v) => $body,
+            lineament::Column::F32($v) => $body,
+            lineament::Column::F64($v) => $body,
+        }
+    };
+}
+pub(crate) use each_column;
+
+impl Scalar {
+    /// Bytes of one value.
+    pub fn size(self) -> usize {
+        match self {
+            Scalar::I8 | Scalar::U8 => 1,
+            Scalar::I16 | Scalar::U16 => 2,
+            Scalar::I32 | Scalar::U32 | Scalar::F32 => 4,
+            Scalar::I64 | Scalar::U64 | Scalar::F64 => 8,
+        }
+    }
+
+    /// Whether values are integers.
+    pub fn is_integer(self) -> bool {
+        !matches!(self, Scalar::F32 | Scalar::F64)
+    }
+
+    /// An empty column of this type with room for `capacity` values.
+    pub fn column(self, capacity: usize) -> Column {
+        match self {
+            Scalar::I8 => Column::I8(Vec::with_capacity(capacity)),
+            Scalar::U8 => Column::U8(Vec::with_capacity(capacity)),
+            Scalar::I16 => Column::I16(Vec::with_capacity(capacity)),
+            Scalar::U16 => Column::U16(Vec::with_capacity(capacity)),
+            Scalar::I32 => Column::I32(Vec::with_capacity(capacity)),
+            Scalar::U32 => Column::U32(Vec::with_capacity(capacity)),
+            Scalar::I64 => Column::I64(Vec::with_capacity(capacity)),
+            Scalar::U64 => Column::U64(Vec::with_capacity(capacity)),
+            Scalar::F32 => Column::F32(Vec::with_capacity(capacity)),
+            Scalar::F64 => Column::F64(Vec::with_capacity(capacity)),
+        }
+    }
+
+    /// The type of a column.
+    pub fn of(column: &Column) -> Scalar {
+        match column {
+            Column::I8(_) => Scalar::I8,
+            Column::U8(_) => Scalar::U8,
+            Column::I16(_) => Scalar::I16,
+            Column::U16(_) => Scalar::U16,
+            Column::I32(_) => Scalar::I32,
+            Column::U32(_) => Scalar::U32,
+            Column::I64(_) => Scalar::I64,
+            Column::U64(_) => Scalar::U64,
+            Column::F32(_) => Scalar::F32,
+            Column::F64(_) => Scalar::F64,
+        }
+    }
+
+    /// The value that the first bytes of `bytes` spell, as f64; 0 if they are too few.
+    pub fn value(self, bytes: &[u8], endian: Endian) -> f64 {
+        match self {
+            Scalar::I8 => number::<i8>(bytes, endian).into(),
+            Scalar::U8 => number::<u8>(bytes, endian).into(),
+            Scalar::I16 => number::<i16>(bytes, endian).into(),
+            Scalar::U16 => number::<u16>(bytes, endian).into(),
+            Scalar::I32 => number::<i32>(bytes, endian).into(),
+            Scalar::U32 => number::<u32>(bytes, endian).into(),
+            Scalar::I64 => number::<i64>(bytes, endian).widen(),
+            Scalar::U64 => number::<u64>(bytes, endian).widen(),
+            Scalar::F32 => number::<f32>(bytes, endian).into(),
+            Scalar::F64 => number::<f64>(bytes, endian),
+        }
+    }
+
+    /// Writes field `offset` of every row (`stride` bytes each) of `rows` into axis `axis` of `out`.
+    pub fn fill_axis(
+        self,
+        rows: &[u8],
+        stride: usize,
+        offset: usize,
+        endian: Endian,
+        out: &mut [[f64; 3]],
+        axis: usize,
+    ) {
+        match self {
+            Scalar::I8 => axis_of::<i8>(rows, stride, offset, endian, out, axis),
+            Scalar::U8 => axis_of::<u8>(rows, stride, offset, endian, out, axis),
+            Scalar::I16 => axis_of::<i16>(rows, stride, offset, endian, out, axis),
+            Scalar::U16 => axis_of::<u16>(rows, stride, offset, endian, out, axis),
+            Scalar::I32 => axis_of::<i32>(rows, stride, offset, endian, out, axis),
+            Scalar::U32 => axis_of::<u32>(rows, stride, offset, endian, out, axis),
+            Scalar::I64 => axis_of::<i64>(rows, stride, offset, endian, out, axis),
+            Scalar::U64 => axis_of::<u64>(rows, stride, offset, endian, out, axis),
+            Scalar::F32 => axis_of::<f32>(rows, stride, offset, endian, out, axis),
+            Scalar::F64 => axis_of::<f64>(rows, stride, offset, endian, out, axis),
+        }
+    }
+}
+
+/// Appends field `offset` of every row (`stride` bytes each) of `rows` to a column of the field's type.
+pub(crate) fn append(column: &mut Column, rows: &[u8], stride: usize, offset: usize, endian: Endian) {
+    each_column!(column, values => extend(values, rows, stride, offset, endian));
+}
+
+fn extend<T: Number>(values: &mut Vec<T>, rows: &[u8], stride: usize, offset: usize, endian: Endian) {
+    values.extend(rows.chunks_exact(stride).map(|row| number::<T>(&row[offset..], endian)));
+}
+
+/// Appends a value to a column. `false`, and nothing is appended, if the type of the column cannot hold it.
+pub(crate) fn push(column: &mut Column, value: f64) -> bool {
+    each_column!(column, values => match Number::narrow(value) {
+        Some(value) => {
+            values.push(value);
+            true
+        }
+        None => false,
+    })
+}
+
+/// Value `index` of a column as f64; NaN beyond its end. Integers beyond 2^53 round.
+pub(crate) fn get(column: &Column, index: usize) -> f64 {
+    each_column!(column, values => values.get(index).map_or(f64::NAN, |&value| value.widen()))
+}
+
+/// Keeps the first `length` values of a column.
+pub(crate) fn truncate(column: &mut Column, length: usize) {
+    each_column!(column, values => values.truncate(length));
+}
+
+/// A number of fixed size in a file.
+pub(crate) trait Number: Copy {
+    /// From little or big endian bytes; 0 if they are too few.
+    fn from_bytes(bytes: &[u8], endian: Endian) -> Self;
+    /// As little endian bytes.
+    fn put(self, out: &mut Vec<u8>);
+    /// As f64, rounded where it does not fit.
+    fn widen(self) -> f64;
+    /// From f64, if the type holds that value; f32 rounds.
+    fn narrow(value: f64) -> Option<Self>;
+}
+
+macro_rules! numbers {
+    ($narrow:ident: $($t:ty)*) => {$(
+        impl Number for $t {
+            #[inline]
+            fn from_bytes(bytes: &[u8], endian: Endian) -> Self {
+                match (bytes.first_chunk(), endian) {
+                    (Some(&bytes), Endian::Little) => <$t>::from_le_bytes(bytes),
+                    (Some(&bytes), Endian::Big) => <$t>::from_be_bytes(bytes),
+                    (None, _) => <$t>::default(),
+                }
+            }
+            fn put(self, out: &mut Vec<u8>) {
+                out.extend_from_slice(&self.to_le_bytes());
+            }
+            #[inline]
+            fn widen(self) -> f64 {
+                self as f64
+            }
+            fn narrow(value: f64) -> Option<Self> {
+                let narrowed = value as $t;
+                $narrow(value, narrowed as f64).then_some(narrowed)
+            }
+        }
+    )*};
+}
+
+/// An integer type holds a value that comes back the same.
+fn same(value: f64, back: f64) -> bool {
+    value == back
+}
+
+/// A float type holds every value, rounded.
+fn rounded(_: f64, _: f64) -> bool {
+    true
+}
+
+numbers!(same: i8 u8 i16 u16 i32 u32 i64 u64);
+numbers!(rounded: f32 f64);
+
+#[inline]
+fn number<T: Number>(bytes: &[u8], endian: Endian) -> T {
+    T::from_bytes(bytes, endian)
+}
+
+fn axis_of<T: Number>(
+    rows: &[u8],
+    stride: usize,
+    offset: usize,
+    endian: Endian,
+    out: &mut [[f64; 3]],
+    axis: usize,
+) {
+    match endian {
+        Endian::Little => {
+            for (row, point) in rows.chunks_exact(stride).zip(out) {
+                point[axis] = number::<T>(&row[offset..], Endian::Little).widen();
+            }
+        }
+        Endian::Big => {
+            for (row, point) in rows.chunks_exact(stride).zip(out) {
+                point[axis] = number::<T>(&row[offset..], Endian::Big).widen();
+            }
+        }
+    }
+}

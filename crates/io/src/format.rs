@@ -1,0 +1,124 @@
+//! The formats that are read, and how an input shows which one it is.
+
+use crate::error::Error;
+use crate::number::{shown, tokens};
+use std::fmt;
+use std::path::Path;
+
+/// A format that point clouds are read from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum Format {
+    /// Polygon file format, ascii or binary.
+    Ply,
+    /// Rows of numbers: XYZ, TXT, CSV and their kin.
+    Table,
+    /// Wavefront object.
+    Obj,
+    /// Point cloud data, ascii, binary or compressed.
+    Pcd,
+}
+
+/// Format, name in messages, extensions.
+const FORMATS: [(Format, &str, &[&str]); 4] = [
+    (Format::Ply, "PLY", &["ply"]),
+    (
+        Format::Table,
+        "table",
+        &["xyz", "txt", "csv", "asc", "tsv", "dat", "xyzn", "xyzrgb", "pwn", "neu", "pts"],
+    ),
+    (Format::Obj, "OBJ", &["obj"]),
+    (Format::Pcd, "PCD", &["pcd"]),
+];
+
+/// What begins with these bytes is a known format that this version does not read.
+const FOREIGN: [(&[u8], &str); 6] = [
+    (b"LASF", "LAS or LAZ"),
+    (b"ASTM-E57", "E57"),
+    (b"\x93NUMPY", "NPY"),
+    (b"PAR1", "Parquet"),
+    (b"glTF", "GLB"),
+    (b"PK\x03\x04", "a zip archive (NPZ or other)"),
+];
+
+const OBJ_KEYWORDS: [&[u8]; 14] =
+    [b"v", b"vn", b"vt", b"vp", b"f", b"l", b"p", b"o", b"g", b"s", b"mtllib", b"usemtl", b"cstype", b"deg"];
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = FORMATS.iter().find(|(format, ..)| format == self).map_or("?", |(_, name, _)| name);
+        f.write_str(name)
+    }
+}
+
+impl Format {
+    /// The format that an extension (without its dot, in any case) or a name stands for.
+    pub fn parse(text: &str) -> Option<Format> {
+        let text = text.to_ascii_lowercase();
+        let is = |(_, name, extensions): &(Format, &str, &[&str])| {
+            name.eq_ignore_ascii_case(&text) || extensions.contains(&text.as_str())
+        };
+        FORMATS.iter().find(|entry| is(entry)).map(|entry| entry.0)
+    }
+
+    /// The format of an input that begins with `start` (several kilobytes, or all of it) and is called `name`.
+    pub(crate) fn detect(start: &[u8], name: &str) -> Result<Format, Error> {
+        if start.is_empty() {
+            return Err(Error::Empty { name: name.into() });
+        }
+        if let Some(format) = by_magic(start) {
+            return Ok(format);
+        }
+        if let Some((_, what)) = FOREIGN.iter().find(|(magic, _)| start.starts_with(magic)) {
+            let advice = "convert it to PLY or XYZ first".into();
+            return Err(Error::Unsupported {
+                name: name.into(),
+                what: format!("the content is {what}"),
+                advice,
+            });
+        }
+        let named = Path::new(name).extension().and_then(|e| e.to_str()).and_then(Format::parse);
+        if let Some(format) = by_text(start, named) {
+            return Ok(format);
+        }
+        let names: Vec<&str> = FORMATS.iter().map(|(_, name, _)| *name).collect();
+        let known = format!("known formats are {}", names.join(", "));
+        let advice = if start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff") {
+            "it looks like UTF-16 text: save it as UTF-8".into()
+        } else {
+            match named {
+                Some(format) => format!("the name says {format}, the content does not; {known}"),
+                None => known,
+            }
+        };
+        Err(Error::UnknownFormat { name: name.into(), found: shown(&start[..start.len().min(16)]), advice })
+    }
+}
+
+fn by_magic(start: &[u8]) -> Option<Format> {
+    let word =
+        |word: &[u8]| start.starts_with(word) && start.get(word.len()).is_none_or(u8::is_ascii_whitespace);
+    if word(b"ply") {
+        return Some(Format::Ply);
+    }
+    if start.starts_with(b"# .PCD") || [b"VERSION" as &[u8], b"FIELDS", b"COLUMNS"].into_iter().any(word) {
+        return Some(Format::Pcd);
+    }
+    None
+}
+
+/// Text is OBJ if its first statement is one of OBJ's, otherwise a table.
+fn by_text(start: &[u8], named: Option<Format>) -> Option<Format> {
+    let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start);
+    if start.contains(&0) {
+        return None;
+    }
+    let mut lines = start.split(|&b| b == b'\n' || b == b'\r');
+    let statement = lines.find_map(|line| tokens(line).next().filter(|t| !t.starts_with(b"#")));
+    match statement {
+        Some(word) if OBJ_KEYWORDS.contains(&word) => Some(Format::Obj),
+        None if named == Some(Format::Obj) => Some(Format::Obj),
+        Some(_) if matches!(named, Some(Format::Ply | Format::Pcd)) => None,
+        _ => Some(Format::Table),
+    }
+}

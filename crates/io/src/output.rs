@@ -1,0 +1,159 @@
+//! Outputs that appear whole or not at all.
+
+use crate::error::Error;
+use std::fs::{File, Metadata};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// A file in the making: written beside its target under another name, then synced and renamed by
+/// [`Output::finish`]. Dropped unfinished it leaves nothing behind, and whatever stood at the target stands.
+/// `-` is standard output; a target that is no plain file (a device, a pipe) is written to as it is.
+#[derive(Debug)]
+pub struct Output {
+    name: String,
+    target: PathBuf,
+    /// The file to rename; `None` for standard output and for devices, and once it is renamed.
+    temporary: Option<PathBuf>,
+    writer: Writer,
+}
+
+#[derive(Debug)]
+enum Writer {
+    File(BufWriter<File>),
+    Standard(BufWriter<io::Stdout>),
+}
+
+/// Bytes gathered before they go to the system.
+const BUFFER: usize = 1 << 17;
+
+/// Whether an output could be made: its folder is there, and it is none of the inputs, by whatever path or link.
+///
+/// # Errors
+/// [`Error::NoFolder`], [`Error::OutputIsInput`], or [`Error::Io`] for a target that is a folder.
+pub fn check_output(path: &Path, inputs: &[PathBuf]) -> Result<(), Error> {
+    if path.as_os_str() == "-" {
+        return Ok(());
+    }
+    let output = path.display().to_string();
+    let folder = folder(path);
+    if !folder.is_dir() {
+        return Err(Error::NoFolder { output, folder: folder.display().to_string() });
+    }
+    let Ok(target) = std::fs::metadata(path) else { return Ok(()) };
+    if target.is_dir() {
+        return Err(Error::Io { action: "write", name: output, source: io::ErrorKind::IsADirectory.into() });
+    }
+    for input in inputs {
+        if std::fs::metadata(input).is_ok_and(|input_meta| same_file(path, &target, input, &input_meta)) {
+            return Err(Error::OutputIsInput { output, input: input.display().to_string() });
+        }
+    }
+    Ok(())
+}
+
+fn folder(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+#[cfg(unix)]
+fn same_file(_: &Path, a: &Metadata, _: &Path, b: &Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    a.is_file() && (a.dev(), a.ino()) == (b.dev(), b.ino())
+}
+
+#[cfg(not(unix))]
+fn same_file(a: &Path, _: &Metadata, b: &Path, _: &Metadata) -> bool {
+    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
+}
+
+impl Output {
+    /// Begins an output at `path`, which must be none of `inputs`.
+    ///
+    /// # Errors
+    /// Those of [`check_output`], and [`Error::Io`] if the folder cannot be written to.
+    pub fn create(path: &Path, inputs: &[PathBuf]) -> Result<Output, Error> {
+        check_output(path, inputs)?;
+        if path.as_os_str() == "-" {
+            let writer = Writer::Standard(BufWriter::with_capacity(BUFFER, io::stdout()));
+            return Ok(Output {
+                name: "standard output".into(),
+                target: PathBuf::new(),
+                temporary: None,
+                writer,
+            });
+        }
+        let name = path.display().to_string();
+        // A link is followed, so that the file it leads to is replaced and the link stays.
+        let target = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
+        let device = std::fs::metadata(&target).is_ok_and(|meta| !meta.is_file());
+        let temporary = (!device).then(|| beside(&target));
+        let opened = match &temporary {
+            Some(temporary) => File::options().write(true).create_new(true).open(temporary),
+            None => File::options().write(true).open(&target),
+        };
+        let file = opened.map_err(|source| Error::Io { action: "write", name: name.clone(), source })?;
+        Ok(Output { name, target, temporary, writer: Writer::File(BufWriter::with_capacity(BUFFER, file)) })
+    }
+
+    /// Syncs what was written and puts it in its place.
+    ///
+    /// # Errors
+    /// [`Error::Io`] if the system refuses, a full disk above all; the target is then as it was.
+    pub fn finish(mut self) -> Result<(), Error> {
+        self.complete().map_err(|source| self.failed(source))
+    }
+
+    /// The error for a failed write to this output.
+    pub fn failed(&self, source: io::Error) -> Error {
+        Error::Io { action: "write", name: self.name.clone(), source }
+    }
+
+    fn complete(&mut self) -> io::Result<()> {
+        self.flush()?;
+        let Writer::File(file) = &self.writer else { return Ok(()) };
+        let Some(temporary) = &self.temporary else { return Ok(()) };
+        file.get_ref().sync_all()?;
+        std::fs::rename(temporary, &self.target)?;
+        self.temporary = None;
+        // The name is on disk once the folder is; systems that cannot sync folders still have the file.
+        if let Ok(folder) = File::open(folder(&self.target)) {
+            let _ = folder.sync_all();
+        }
+        Ok(())
+    }
+}
+
+/// A fresh name in the folder of `target`.
+fn beside(target: &Path) -> PathBuf {
+    static COUNTER: AtomicU64 = AtomicU64::new(0);
+    let number = COUNTER.fetch_add(1, Ordering::Relaxed);
+    let mut name = std::ffi::OsString::from(".");
+    name.push(target.file_name().unwrap_or_default());
+    name.push(format!(".{}-{number}.part", std::process::id()));
+    target.with_file_name(name)
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match &mut self.writer {
+            Writer::File(writer) => writer.write(bytes),
+            Writer::Standard(writer) => writer.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match &mut self.writer {
+            Writer::File(writer) => writer.flush(),
+            Writer::Standard(writer) => writer.flush(),
+        }
+    }
+}
+
+impl Drop for Output {
+    fn drop(&mut self) {
+        if let Some(temporary) = &self.temporary {
+            let _ = std::fs::remove_file(temporary);
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! From an input to a cloud: opening, recognising, dispatching.
+
+mod limit;
+mod obj;
+mod pcd;
+mod ply;
+pub(crate) mod rows;
+mod table;
+
+use crate::error::Error;
+use crate::format::Format;
+use crate::source::Source;
+use lineament::Cloud;
+use std::fmt;
+use std::io::Read;
+use std::path::Path;
+
+/// How an input is read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ReadOptions {
+    /// Take what is whole of an input that ends early, instead of refusing it. `Scan::missing` then says what
+    /// is not there.
+    pub salvage: bool,
+    /// Keep the columns beside the positions. Without them reading is faster and takes less memory.
+    pub attributes: bool,
+    /// Compute the SHA-256 of the input on the way.
+    pub hash: bool,
+    /// Bytes that the points of a compressed input may take in memory. `None` is 64 MiB and eight times the input:
+    /// enough for what programs write, too little for a small file that unpacks without end.
+    pub memory: Option<u64>,
+    /// Take the input for this format, whatever it looks like.
+    pub format: Option<Format>,
+}
+
+impl Default for ReadOptions {
+    fn default() -> Self {
+        Self { salvage: false, attributes: true, hash: false, memory: None, format: None }
+    }
+}
+
+/// What an input gave.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scan {
+    /// The points in the order and the unit of the input; non-finite rows are in it.
+    pub cloud: Cloud,
+    /// The format that was recognised.
+    pub format: Format,
+    /// The name of the input, as in messages.
+    pub name: String,
+    /// What of the input is not in the cloud, one sentence each.
+    pub ignored: Vec<String>,
+    /// What is missing of an input that ended early; only with `ReadOptions::salvage`.
+    pub missing: Option<Missing>,
+    /// SHA-256 of all bytes of the input in hexadecimal, if `ReadOptions::hash` asked for it.
+    pub sha256: Option<String>,
+    /// Bytes of the input.
+    pub bytes: u64,
+}
+
+/// What an input announced and does not hold.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Missing {
+    /// What is counted, such as `points`.
+    pub unit: String,
+    /// How many were announced.
+    pub expected: u64,
+    /// How many were there whole, and are in the cloud.
+    pub read: u64,
+}
+
+impl fmt::Display for Missing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Missing { unit, expected, read } = self;
+        write!(f, "{read} of {expected} {unit} read, {} missing", expected.saturating_sub(*read))
+    }
+}
+
+/// What a reader of one format gives.
+#[derive(Default)]
+pub(crate) struct Decoded {
+    pub cloud: Cloud,
+    pub ignored: Vec<String>,
+    pub missing: Option<Missing>,
+}
+
+impl Decoded {
+    /// An early end: an error, or with salvage a note of it.
+    pub fn cut(
+        &mut self,
+        source: &Source,
+        options: &ReadOptions,
+        unit: &str,
+        expected: u64,
+        read: u64,
+    ) -> Result<(), Error> {
+        if !options.salvage {
+            return Err(source.ends_early(unit, expected, read));
+        }
+        self.missing = Some(Missing { unit: unit.into(), expected, read });
+        Ok(())
+    }
+}
+
+/// Reads the point cloud in the file at `path`; `-` is standard input.
+///
+/// # Errors
+/// An input that cannot be opened, is empty, of no known format, breaks its format's rules, or ends early.
+pub fn read(path: &Path, options: &ReadOptions) -> Result<Scan, Error> {
+    if path.as_os_str() == "-" {
+        return read_from(Box::new(std::io::stdin()), "standard input", options);
+    }
+    let name = path.display().to_string();
+    let fail = |source| Error::Io { action: "open", name: name.clone(), source };
+    let file = std::fs::File::open(path).map_err(fail)?;
+    let meta = file.metadata().map_err(fail)?;
+    if meta.is_dir() {
+        return Err(fail(std::io::Error::from(std::io::ErrorKind::IsADirectory)));
+    }
+    let length = Some(meta.len()).filter(|&length| meta.is_file() && length > 0);
+    decode(Source::new(Box::new(file), name, length, options.hash), options)
+}
+
+/// Reads a point cloud from a stream. `name` stands for it in messages, and its extension may tell the format.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_from(reader: Box<dyn Read + Send>, name: &str, options: &ReadOptions) -> Result<Scan, Error> {
+    decode(Source::new(reader, name.into(), None, options.hash), options)
+}
+
+fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
+    let name = source.name().to_string();
+    let start = source.peek(1 << 16)?;
+    let format = match options.format {
+        Some(format) if !start.is_empty() => format,
+        _ => Format::detect(start, &name)?,
+    };
+    let decoded = match format {
+        Format::Ply => ply::read(&mut source, options)?,
+        Format::Table => table::read(&mut source, options)?,
+        Format::Obj => obj::read(&mut source, options)?,
+        Format::Pcd => pcd::read(&mut source, options)?,
+    };
+    source.drain()?;
+    let Decoded { cloud, ignored, missing } = decoded;
+    let (sha256, bytes) = (source.sha256(), source.offset());
+    Ok(Scan { cloud, format, name, ignored, missing, sha256, bytes })
+}

@@ -1,0 +1,141 @@
+//! PLY, the polygon file format (Turk 1994): a header of elements with typed properties, then their rows as text
+//! or as little or big endian bytes. The points are element `vertex`; everything else is walked over, so that a
+//! file that ends early is noticed wherever it ends.
+
+mod ascii;
+mod binary;
+mod header;
+
+use super::rows::{Table, room};
+use super::{Decoded, ReadOptions};
+use crate::columns::Scalar;
+use crate::error::Error;
+use crate::source::Source;
+use header::{Element, Encoding, Header, Kind};
+
+/// Reads a PLY input from its first byte.
+pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
+    let header = header::parse(source)?;
+    let mut out = Decoded::default();
+    for element in &header.elements {
+        let whole = if element.is_vertex() {
+            read_vertices(source, &header, element, options, &mut out)?
+        } else {
+            let rows = skip(source, header.encoding, element)?;
+            check(source, element, rows, options, &mut out)?
+        };
+        if !whole {
+            break;
+        }
+    }
+    note_ignored(source, &header, options, &mut out)?;
+    Ok(out)
+}
+
+/// Whether all rows of an element were there; otherwise an error, or with salvage a note.
+fn check(
+    source: &Source,
+    element: &Element,
+    rows: u64,
+    options: &ReadOptions,
+    out: &mut Decoded,
+) -> Result<bool, Error> {
+    if rows == element.count {
+        return Ok(true);
+    }
+    let unit =
+        if element.is_vertex() { "points".into() } else { format!("rows of element `{}`", element.name) };
+    out.cut(source, options, &unit, element.count, rows)?;
+    Ok(false)
+}
+
+fn read_vertices(
+    source: &mut Source,
+    header: &Header,
+    element: &Element,
+    options: &ReadOptions,
+    out: &mut Decoded,
+) -> Result<bool, Error> {
+    let mut table = table(source, header.encoding, element, options)?;
+    let rows = match header.encoding {
+        Encoding::Ascii => ascii::rows(source, element, &mut table, options.salvage)?,
+        Encoding::Binary(endian) => binary::rows(source, element, endian, &mut table)?,
+    };
+    out.cloud = table.into_cloud();
+    check(source, element, rows, options, out)
+}
+
+fn skip(source: &mut Source, encoding: Encoding, element: &Element) -> Result<u64, Error> {
+    match encoding {
+        Encoding::Ascii => ascii::skip(source, element),
+        Encoding::Binary(endian) => binary::skip(source, element, endian),
+    }
+}
+
+/// Empty columns, with room for the rows announced as far as the bytes that are there can hold them.
+fn table(
+    source: &Source,
+    encoding: Encoding,
+    element: &Element,
+    options: &ReadOptions,
+) -> Result<Table, Error> {
+    let axes = element.axes(source)?;
+    let room = room(source, element.count, element.least_bytes(encoding));
+    let mut attributes = Vec::new();
+    let kept = element.properties.iter().enumerate().filter(|(i, _)| options.attributes && !axes.contains(i));
+    for (index, property) in kept {
+        if let Kind::Scalar(kind) = property.kind {
+            attributes.push((index, property.name.clone(), kind));
+        }
+    }
+    Ok(Table::new(axes, attributes, room))
+}
+
+/// Says what was walked over and what follows the last element.
+fn note_ignored(
+    source: &mut Source,
+    header: &Header,
+    options: &ReadOptions,
+    out: &mut Decoded,
+) -> Result<(), Error> {
+    for element in &header.elements {
+        if !element.is_vertex() {
+            if element.count > 0 {
+                out.ignored.push(format!("element `{}`, {} rows: not points", element.name, element.count));
+            }
+            continue;
+        }
+        for property in &element.properties {
+            if matches!(property.kind, Kind::List { .. }) {
+                out.ignored.push(format!("list property `{}` of the points", property.name));
+            }
+        }
+        if !options.attributes && element.properties.len() > 3 {
+            out.ignored.push(format!("{} properties beside the positions", element.properties.len() - 3));
+        }
+    }
+    if header.encoding != Encoding::Ascii && out.missing.is_none() {
+        let extra = source.drain()?;
+        if extra > 0 {
+            out.ignored.push(format!("{extra} bytes after the last element"));
+        }
+    }
+    Ok(())
+}
+
+/// Number types by their names in headers.
+fn scalar(name: &[u8]) -> Option<Scalar> {
+    Some(match name {
+        b"char" | b"int8" => Scalar::I8,
+        b"uchar" | b"uint8" => Scalar::U8,
+        b"short" | b"int16" => Scalar::I16,
+        b"ushort" | b"uint16" => Scalar::U16,
+        b"int" | b"int32" => Scalar::I32,
+        b"uint" | b"uint32" => Scalar::U32,
+        b"int64" => Scalar::I64,
+        b"uint64" => Scalar::U64,
+        b"float" | b"float32" => Scalar::F32,
+        b"double" | b"float64" => Scalar::F64,
+        _ => return None,
+    })
+}

@@ -1,0 +1,105 @@
+//! The columns that rows of a file go into, and the decoding of rows of fixed size.
+
+use crate::columns::{Endian, Scalar, append, push, truncate};
+use crate::error::Error;
+use crate::source::Source;
+use lineament::{Attribute, Cloud};
+
+/// Bytes decoded at a time: they stay in the second-level cache while every column takes its part.
+const CHUNK: usize = 1 << 17;
+
+/// Where a number lies in a row.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Field {
+    pub offset: usize,
+    pub kind: Scalar,
+}
+
+/// Growing columns.
+pub(crate) struct Table {
+    pub positions: Vec<[f64; 3]>,
+    /// Field index of x, y and z.
+    pub axes: [usize; 3],
+    /// Field index and column of every attribute.
+    pub columns: Vec<(usize, Attribute)>,
+}
+
+impl Table {
+    /// Empty columns with room for `room` rows.
+    pub fn new(axes: [usize; 3], attributes: Vec<(usize, String, Scalar)>, room: usize) -> Self {
+        let column = |(index, name, kind): (usize, String, Scalar)| {
+            (index, Attribute { name, values: kind.column(room) })
+        };
+        Self {
+            positions: Vec::with_capacity(room),
+            axes,
+            columns: attributes.into_iter().map(column).collect(),
+        }
+    }
+
+    /// Appends one row from its values, indexed by field. The field whose type cannot hold its value is the error.
+    pub fn push(&mut self, values: &[f64]) -> Result<(), usize> {
+        for (index, attribute) in &mut self.columns {
+            if !push(&mut attribute.values, values[*index]) {
+                return Err(*index);
+            }
+        }
+        self.positions.push(self.axes.map(|i| values[i]));
+        Ok(())
+    }
+
+    /// Drops what a row that could not be finished left behind.
+    pub fn level(&mut self) {
+        for (_, attribute) in &mut self.columns {
+            truncate(&mut attribute.values, self.positions.len());
+        }
+    }
+
+    /// Appends the whole rows of `bytes`, `stride` bytes each.
+    pub fn append(&mut self, bytes: &[u8], stride: usize, fields: &[Field], endian: Endian) {
+        let first = self.positions.len();
+        self.positions.resize(first + bytes.len() / stride, [0.0; 3]);
+        for (axis, &index) in self.axes.iter().enumerate() {
+            let Field { offset, kind } = fields[index];
+            kind.fill_axis(bytes, stride, offset, endian, &mut self.positions[first..], axis);
+        }
+        for (index, attribute) in &mut self.columns {
+            append(&mut attribute.values, bytes, stride, fields[*index].offset, endian);
+        }
+    }
+
+    /// Reads up to `count` rows of `stride` bytes from the source; gives how many were there whole.
+    pub fn read(
+        &mut self,
+        source: &mut Source,
+        count: u64,
+        stride: usize,
+        fields: &[Field],
+        endian: Endian,
+    ) -> Result<u64, Error> {
+        let mut done = 0;
+        while done < count {
+            let here = source.peek(stride.max(CHUNK))?;
+            let rows = ((here.len() / stride) as u64).min(count - done) as usize;
+            if rows == 0 {
+                break;
+            }
+            self.append(&here[..rows * stride], stride, fields, endian);
+            source.consume(rows * stride);
+            done += rows as u64;
+        }
+        Ok(done)
+    }
+
+    /// The finished cloud.
+    pub fn into_cloud(self) -> Cloud {
+        let attributes = self.columns.into_iter().map(|(_, attribute)| attribute).collect();
+        Cloud { positions: self.positions, attributes }
+    }
+}
+
+/// Rows to make room for: those announced, as far as the bytes that are there can hold them.
+pub(crate) fn room(source: &Source, announced: u64, least_bytes: u64) -> usize {
+    let possible = source.remaining().map_or(1 << 16, |bytes| bytes / least_bytes.max(1));
+    announced.min(possible) as usize
+}

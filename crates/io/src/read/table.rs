@@ -1,0 +1,206 @@
+//! Rows of numbers: XYZ, TXT, CSV and their kin. The layout (separator, decimal sign, names, a count line) is
+//! recognised from the first rows; what could be read in two ways is refused, and every later row must fit.
+
+mod layout;
+mod split;
+
+use super::{Decoded, ReadOptions};
+use crate::columns::Scalar;
+use crate::error::Error;
+use crate::number::{self, integer, shown};
+use crate::source::Source;
+use layout::{Layout, Role};
+use lineament::{Attribute, Column};
+use split::Separator;
+
+/// Reads a table input.
+pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
+    source.detect_terminator()?;
+    if source.peek(3)?.starts_with(b"\xef\xbb\xbf") {
+        source.consume(3);
+    }
+    let layout = layout::find(source)?;
+    let mut rows = Rows::new(source, &layout, options);
+    for _ in 0..layout.lines_before {
+        source.line()?;
+    }
+    let mut announced = layout.announced;
+    let mut fault = None;
+    while let Some(line) = source.line()? {
+        if split::is_comment(line) {
+            continue;
+        }
+        if let Err(what) = rows.take(line, &layout) {
+            if let (Some(before), Some(count)) = (announced, count_line(line)) {
+                announced = Some(next_block(source, before, count, rows.positions.len() as u64)?);
+                continue;
+            }
+            fault = Some(what);
+            break;
+        }
+    }
+    finish(source, options, layout, rows, announced, fault)
+}
+
+/// A line that is one whole number: in PTS files, how many rows follow.
+fn count_line(line: &[u8]) -> Option<u64> {
+    integer(line.trim_ascii())
+}
+
+/// The rows announced in total once another count line came; the block before must be complete.
+fn next_block(source: &Source, before: u64, count: u64, read: u64) -> Result<u64, Error> {
+    if read != before {
+        let found = format!("a new count line after {read} rows where {before} were announced");
+        return Err(source.malformed_line(found, "the counts and the rows do not agree; the file is damaged"));
+    }
+    Ok(before.saturating_add(count))
+}
+
+fn finish(
+    source: &mut Source,
+    options: &ReadOptions,
+    layout: Layout,
+    mut rows: Rows,
+    announced: Option<u64>,
+    fault: Option<Fault>,
+) -> Result<Decoded, Error> {
+    let read = rows.positions.len() as u64;
+    let mut out = Decoded { ignored: layout.ignored.clone(), ..Decoded::default() };
+    if let Some(fault) = fault {
+        let last = source.peek(1)?.is_empty();
+        if !(options.salvage && last) {
+            return Err(fault.report(source, &layout));
+        }
+        out.cut(source, options, "rows", announced.unwrap_or(read + 1), read)?;
+    } else if let Some(expected) = announced.filter(|&expected| expected > read) {
+        out.cut(source, options, "rows", expected, read)?;
+    } else if let Some(expected) = announced.filter(|&expected| expected < read) {
+        let found = format!("{read} rows where the count line announces {expected}");
+        return Err(source.malformed_line(found, "correct or remove the count line"));
+    }
+    rows.level();
+    out.cloud.positions = rows.positions;
+    out.cloud.attributes = rows.columns.into_iter().map(narrowed).collect();
+    Ok(out)
+}
+
+/// What keeps a line from being a row.
+enum Fault {
+    /// It has this number of columns.
+    Columns(usize),
+    /// Column by index, and what stands there.
+    Number(usize, String),
+}
+
+impl Fault {
+    fn report(&self, source: &Source, layout: &Layout) -> Error {
+        match self {
+            Fault::Columns(count) => source.malformed_line(
+                format!("{count} columns where the first rows have {}", layout.roles.len()),
+                format!("every row needs the same columns, separated by {}", layout.separator),
+            ),
+            Fault::Number(index, token) => source.malformed_line(
+                format!("column {} is {token}", index + 1),
+                format!(
+                    "expected a number{}",
+                    if layout.decimal_comma { " with a decimal comma" } else { "" }
+                ),
+            ),
+        }
+    }
+}
+
+/// The columns that rows go into.
+struct Rows {
+    positions: Vec<[f64; 3]>,
+    columns: Vec<(String, Vec<f64>)>,
+    keep: bool,
+}
+
+impl Rows {
+    fn new(source: &Source, layout: &Layout, options: &ReadOptions) -> Self {
+        let likely = source.remaining().map_or(0, |bytes| bytes / layout.row_bytes.max(6)) as usize;
+        let room =
+            layout.announced.map_or(likely, |count| likely.min(usize::try_from(count).unwrap_or(likely)));
+        let named = layout.names.iter().filter(|_| options.attributes);
+        let columns = named.map(|name| (name.clone(), Vec::with_capacity(room))).collect();
+        Self { positions: Vec::with_capacity(room), columns, keep: options.attributes }
+    }
+
+    /// Appends a row; a blank line is none.
+    fn take(&mut self, line: &[u8], layout: &Layout) -> Result<(), Fault> {
+        let mut point = [0.0; 3];
+        let mut count = 0;
+        let mut fields = split::Fields::new(line, layout.separator);
+        while let Some(field) = fields.next_field() {
+            if let Some(&role) = layout.roles.get(count) {
+                let value = || {
+                    let value = value(field, layout.decimal_comma);
+                    value.ok_or_else(|| Fault::Number(count, shown(field)))
+                };
+                match role {
+                    Role::Axis(axis) => point[axis] = value()?,
+                    Role::Column(column) if self.keep => self.columns[column].1.push(value()?),
+                    _ => {}
+                }
+            }
+            count += 1;
+        }
+        if count == layout.roles.len() {
+            self.positions.push(point);
+            return Ok(());
+        }
+        self.level();
+        if count == 0 { Ok(()) } else { Err(Fault::Columns(count)) }
+    }
+
+    /// Drops what a row that could not be finished left behind.
+    fn level(&mut self) {
+        let length = self.positions.len();
+        self.columns.iter_mut().for_each(|(_, values)| values.truncate(length));
+    }
+}
+
+/// A field as a number; NaN if it is empty or says that nothing is there.
+#[inline]
+fn value(field: &[u8], decimal_comma: bool) -> Option<f64> {
+    if !decimal_comma && let Some(value) = number::parse(field) {
+        return Some(value);
+    }
+    if decimal_comma && !field.contains(&b'.') {
+        let mut text = field.to_vec();
+        if let Some(comma) = text.iter().position(|&b| b == b',') {
+            text[comma] = b'.';
+        }
+        if let Some(value) = number::parse(&text) {
+            return Some(value);
+        }
+    }
+    let missing: [&[u8]; 5] = [b"", b"na", b"n/a", b"null", b"none"];
+    missing.iter().any(|word| field.eq_ignore_ascii_case(word)).then_some(f64::NAN)
+}
+
+/// A column in the smallest integer type that holds all its values, or as f64: text states no type.
+fn narrowed((name, values): (String, Vec<f64>)) -> Attribute {
+    let kinds = [Scalar::U8, Scalar::I16, Scalar::U16, Scalar::I32, Scalar::U32];
+    let negative_zero = |v: &f64| *v == 0.0 && v.is_sign_negative();
+    let whole = values.iter().all(|v| v.fract() == 0.0 && !negative_zero(v));
+    for kind in kinds.into_iter().filter(|_| whole) {
+        let mut column = kind.column(values.len());
+        if values.iter().all(|&value| crate::columns::push(&mut column, value)) {
+            return Attribute { name, values: column };
+        }
+    }
+    Attribute { name, values: Column::F64(values) }
+}
+
+impl std::fmt::Display for Separator {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Separator::Blanks => "blanks",
+            Separator::Byte(b'\t') => "tabs",
+            Separator::Byte(b';') => "semicolons",
+            Separator::Byte(_) => "commas",
+        })
+    }
+}

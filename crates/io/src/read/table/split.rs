@@ -1,0 +1,91 @@
+//! Lines of a table into fields.
+
+use crate::number::{is_blank, token};
+
+/// What stands between fields.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Separator {
+    /// Any run of spaces and tabs.
+    Blanks,
+    /// One comma, semicolon or tab; fields may be empty.
+    Byte(u8),
+}
+
+/// The fields of a line, trimmed and without quotes. A separator at the very end of a line closes its last field
+/// and opens none.
+pub(super) struct Fields<'a> {
+    rest: Option<&'a [u8]>,
+    separator: Separator,
+}
+
+impl<'a> Fields<'a> {
+    pub fn new(line: &'a [u8], separator: Separator) -> Self {
+        let line = line.trim_ascii();
+        let line = match separator {
+            Separator::Byte(byte) => line.strip_suffix(&[byte]).unwrap_or(line),
+            Separator::Blanks => line,
+        };
+        Self { rest: Some(line).filter(|line| !line.is_empty()), separator }
+    }
+
+    /// The next field, or `None` behind the last.
+    #[inline]
+    pub fn next_field(&mut self) -> Option<&'a [u8]> {
+        let line = self.rest?;
+        match self.separator {
+            Separator::Blanks => {
+                let (field, rest) = token(line)?;
+                self.rest = Some(rest);
+                Some(unquoted(field))
+            }
+            Separator::Byte(byte) => {
+                let end = end_of_field(line, byte);
+                self.rest = line.get(end + 1..);
+                Some(unquoted(line[..end].trim_ascii()))
+            }
+        }
+    }
+}
+
+/// Where the first field ends: at the separator, which inside quotes is none.
+fn end_of_field(line: &[u8], separator: u8) -> usize {
+    let start = line.iter().position(|&b| !is_blank(b)).unwrap_or(0);
+    let from = match line.get(start) {
+        Some(b'"') => {
+            line[start + 1..].iter().position(|&b| b == b'"').map_or(start, |close| start + 1 + close)
+        }
+        _ => 0,
+    };
+    line[from..].iter().position(|&b| b == separator).map_or(line.len(), |at| from + at)
+}
+
+#[inline]
+fn unquoted(field: &[u8]) -> &[u8] {
+    match field {
+        [b'"', inner @ .., b'"'] => inner.trim_ascii(),
+        _ => field,
+    }
+}
+
+/// All fields of a line.
+pub(super) fn fields(line: &[u8], separator: Separator) -> Vec<&[u8]> {
+    let mut fields = Fields::new(line, separator);
+    std::iter::from_fn(|| fields.next_field()).collect()
+}
+
+/// Whether a line is a comment by its first sign.
+#[inline]
+pub(super) fn is_comment(line: &[u8]) -> bool {
+    match line.iter().find(|&&b| !is_blank(b)) {
+        Some(b'#' | b'%' | b'!') => true,
+        Some(b'/') => line.trim_ascii_start().starts_with(b"//"),
+        _ => false,
+    }
+}
+
+/// A comment without its sign.
+pub(super) fn uncommented(line: &[u8]) -> &[u8] {
+    let text = line.trim_ascii_start();
+    let signs = text.iter().take_while(|&&b| matches!(b, b'#' | b'%' | b'!' | b'/')).count();
+    &text[signs..]
+}
