@@ -1,0 +1,56 @@
+//! Pictures of a cloud and its feature network: orthographic, no graphics hardware, no files.
+//!
+//! Every point is a surfel: a small disc in the tangent plane. The discs give a surface without holes to shade and
+//! to hide lines behind; when points stand far enough apart on the picture they are drawn as dots on it. Lines are
+//! stroked on top by kind, their hidden parts faint and dashed.
+
+mod best;
+mod camera;
+mod caption;
+mod compose;
+mod hidden;
+mod picture;
+mod stroke;
+mod surface;
+mod surfel;
+mod tone;
+
+pub use camera::View;
+pub use compose::render;
+pub use picture::Picture;
+pub use surfel::Surfel;
+
+use crate::network::Network;
+
+/// What a picture shows.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene<'a> {
+    /// The points, world frame.
+    pub surfels: &'a [Surfel],
+    /// The lines to draw over them, world frame, if any.
+    pub network: Option<&'a Network>,
+    /// Mean distance of neighbouring points, in the unit of the points. Lines up to 2.5 spacings below the surface
+    /// still count as visible.
+    pub spacing: f64,
+}
+
+/// How a picture is taken.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Where the eye is.
+    pub view: View,
+    /// The world direction that points up in the picture, of any length.
+    pub up: [f64; 3],
+    /// Width of the picture in pixels, 16 to 16,384.
+    pub width: usize,
+    /// Height of the picture in pixels, 16 to 16,384.
+    pub height: usize,
+    /// Whether a line of text says what the colours mean.
+    pub caption: bool,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { view: View::Best, up: [0.0, 0.0, 1.0], width: 1600, height: 1200, caption: true }
+    }
+}
