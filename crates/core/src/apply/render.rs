@@ -18,9 +18,12 @@ mod tone;
 pub use camera::View;
 pub use compose::render;
 pub use picture::Picture;
-pub use surfel::Surfel;
+pub use surfel::{Surfel, surfels};
 
+use crate::error::Error;
 use crate::network::Network;
+
+const SIDES: std::ops::RangeInclusive<usize> = 16..=16_384;
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug)]
@@ -52,5 +55,29 @@ pub struct Settings {
 impl Default for Settings {
     fn default() -> Self {
         Self { view: View::Best, up: [0.0, 0.0, 1.0], width: 1600, height: 1200, caption: true }
+    }
+}
+
+impl Settings {
+    /// Whether a picture can be taken with these.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] if the width or height is outside its range, or `up` or the view has no direction.
+    pub fn check(&self) -> Result<(), Error> {
+        for (key, side) in [("width", self.width), ("height", self.height)] {
+            if !SIDES.contains(&side) {
+                let expected = format!("{} to {} pixels", SIDES.start(), SIDES.end());
+                return Err(Error::Parameter { key: key.into(), value: side.to_string(), expected });
+            }
+        }
+        let from = if let View::From(from) = self.view { from } else { [1.0; 3] };
+        for (key, vector) in [("up", self.up), ("view", from)] {
+            let length = crate::math::vec3::norm(vector);
+            if !(length.is_finite() && length > 0.0) {
+                let expected = "a direction: three finite numbers, not all zero".into();
+                return Err(Error::Parameter { key: key.into(), value: format!("{vector:?}"), expected });
+            }
+        }
+        Ok(())
     }
 }

@@ -14,9 +14,10 @@ const TRIAL: usize = 160;
 const TRIAL_SURFELS: usize = 15_000;
 /// A view from below has to show this much more than one from above.
 const FROM_BELOW: f64 = 0.85;
-/// Directions lie 30 degrees apart around the up axis, off the axes of the world, so that faces square to those show
-/// three at a time.
+/// Directions around the up axis. The first lies 0.73 steps off the axis, so that none looks along an axis of the
+/// world or its bisector, where edges of square parts would fall together.
 const AZIMUTHS: usize = 12;
+const FIRST_AZIMUTH: f64 = 0.73;
 const ELEVATIONS: [f64; 6] = [22.0, 35.0, 55.0, 75.0, -25.0, -55.0];
 
 /// The direction towards the eye, of a fixed set of oblique ones, with the most visible line and visible surface.
@@ -52,7 +53,7 @@ fn candidates(frame: &Camera) -> Vec<([f64; 3], f64)> {
     for elevation in ELEVATIONS {
         let (sin, cos) = elevation.to_radians().sin_cos();
         for k in 0..AZIMUTHS {
-            let azimuth = (k as f64 + 0.5) * std::f64::consts::TAU / AZIMUTHS as f64;
+            let azimuth = (k as f64 + FIRST_AZIMUTH) * std::f64::consts::TAU / AZIMUTHS as f64;
             let [x, y] = [cos * azimuth.cos(), cos * azimuth.sin()];
             let from = std::array::from_fn(|i| x * right[i] + y * ahead[i] + sin * up[i]);
             all.push((from, if elevation < 0.0 { FROM_BELOW } else { 1.0 }));

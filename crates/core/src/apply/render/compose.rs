@@ -17,7 +17,6 @@ const FINE: usize = 2;
 /// Spacings that a line may lie behind the surface and still be seen.
 pub(super) const LINE_BIAS: f64 = 2.5;
 const HIDDEN_OPACITY: f32 = 0.38;
-const SIDES: std::ops::RangeInclusive<usize> = 16..=16_384;
 
 /// The colour of a kind of line; told apart by the colour-blind too.
 pub(super) fn strip_colour(kind: StripKind) -> Colour {
@@ -40,9 +39,9 @@ pub(super) fn node_colour(kind: NodeKind) -> Colour {
 /// Draws a scene. The picture depends on the scene and the settings only, not on the number of threads.
 ///
 /// # Errors
-/// [`Error::Parameter`] if the width or height is outside 16 to 16,384 pixels, or `up` or the view has no direction.
+/// Those of [`Settings::check`].
 pub fn render(scene: &Scene, settings: &Settings) -> Result<Picture, Error> {
-    check(settings)?;
+    settings.check()?;
     let camera = aim(scene, settings);
     let projected: Vec<Projected> = scene.surfels.par_iter().map(|s| s.project(&camera)).collect();
     let surface = Surface::draw(&projected, settings.width * FINE, settings.height * FINE);
@@ -58,24 +57,6 @@ pub fn render(scene: &Scene, settings: &Settings) -> Result<Picture, Error> {
         caption::draw(scene, &mut picture);
     }
     Ok(picture)
-}
-
-fn check(settings: &Settings) -> Result<(), Error> {
-    for (key, side) in [("width", settings.width), ("height", settings.height)] {
-        if !SIDES.contains(&side) {
-            let expected = format!("{} to {} pixels", SIDES.start(), SIDES.end());
-            return Err(Error::Parameter { key: key.into(), value: side.to_string(), expected });
-        }
-    }
-    let from = if let View::From(from) = settings.view { from } else { [1.0; 3] };
-    for (key, vector) in [("up", settings.up), ("view", from)] {
-        let length = crate::math::vec3::norm(vector);
-        if !(length.is_finite() && length > 0.0) {
-            let expected = "a direction: three finite numbers, not all zero".into();
-            return Err(Error::Parameter { key: key.into(), value: format!("{vector:?}"), expected });
-        }
-    }
-    Ok(())
 }
 
 /// The camera that sees the whole scene, on the grid of the fine surface.

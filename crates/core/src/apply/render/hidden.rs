@@ -75,10 +75,14 @@ mod tests {
     use super::super::surfel::Projected;
     use super::*;
 
+    fn disc() -> Projected {
+        let at = [50.0, 50.0, 10.0];
+        Projected { at, center: at, normal: [0.0, 0.0, 1.0], radius: 20.0 }
+    }
+
     #[test]
     fn a_line_behind_a_disc_is_cut_into_three() {
-        let disc = Projected { at: [50.0, 50.0, 10.0], normal: [0.0, 0.0, 1.0], radius: 20.0 };
-        let surface = Surface::draw(&[disc], 100, 100);
+        let surface = Surface::draw(&[disc()], 100, 100);
         let runs = runs(&[[2.0, 50.5, 0.0], [98.0, 50.5, 0.0]], &surface, 2.0);
         assert_eq!(runs.iter().map(|r| r.visible).collect::<Vec<_>>(), [true, false, true]);
         let hidden = &runs[1].points;
@@ -87,8 +91,7 @@ mod tests {
 
     #[test]
     fn a_line_on_the_surface_is_seen_whole() {
-        let disc = Projected { at: [50.0, 50.0, 10.0], normal: [0.0, 0.0, 1.0], radius: 20.0 };
-        let surface = Surface::draw(&[disc], 100, 100);
+        let surface = Surface::draw(&[disc()], 100, 100);
         let runs = runs(&[[2.0, 50.5, 9.0], [98.0, 50.5, 9.0]], &surface, 2.0);
         assert_eq!(runs.iter().map(|r| r.visible).collect::<Vec<_>>(), [true]);
     }

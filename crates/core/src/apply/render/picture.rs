@@ -17,12 +17,6 @@ pub(super) type Colour = [f32; 3];
 pub(super) const WHITE: Colour = [1.0; 3];
 
 impl Picture {
-    /// A picture of one colour.
-    pub(super) fn filled(width: usize, height: usize, colour: Colour) -> Self {
-        let pixel = colour.map(to_byte);
-        Self { width, height, rgb: pixel.iter().copied().cycle().take(width * height * 3).collect() }
-    }
-
     /// Lays `colour` over pixel `index` with this opacity, 0 to 1.
     pub(super) fn blend(&mut self, index: usize, colour: Colour, opacity: f32) {
         for (byte, new) in self.rgb[3 * index..3 * index + 3].iter_mut().zip(colour) {

@@ -60,7 +60,7 @@ fn bands_of(surfels: &[Projected], height: usize) -> Vec<Vec<u32>> {
     let reach = |s: &Projected| {
         let radius = radius_of(s);
         let band = |y: f32| ((y / BAND as f32).floor().max(-1.0) as i64).clamp(-1, count as i64);
-        (band(s.at[1] - radius).max(0), band(s.at[1] + radius).min(count as i64 - 1))
+        (band(s.center[1] - radius).max(0), band(s.center[1] + radius).min(count as i64 - 1))
     };
     let mut bands = vec![Vec::new(); count];
     for (id, surfel) in surfels.iter().enumerate() {
@@ -78,7 +78,7 @@ fn radius_of(surfel: &Projected) -> f32 {
 
 /// Fills the pixels of one disc in a band that begins at row `top`.
 fn draw_disc(s: &Projected, id: u32, top: usize, width: usize, depth: &mut [f32], ids: &mut [u32]) {
-    let [cx, cy, cz] = s.at;
+    let [cx, cy, cz] = s.center;
     let radius = radius_of(s);
     let [sx, sy] = s.slope();
     let bottom = top + depth.len() / width;
@@ -111,7 +111,7 @@ mod tests {
     use super::*;
 
     fn facing(x: f32, y: f32, z: f32, radius: f32) -> Projected {
-        Projected { at: [x, y, z], normal: [0.0, 0.0, 1.0], radius }
+        Projected { at: [x, y, z], center: [x, y, z], normal: [0.0, 0.0, 1.0], radius }
     }
 
     #[test]
@@ -129,7 +129,12 @@ mod tests {
     #[test]
     fn a_tilted_disc_is_an_ellipse_that_follows_its_plane() {
         let half = 0.5f32.sqrt();
-        let tilted = Projected { at: [30.0, 30.0, 0.0], normal: [half, 0.0, half], radius: 10.0 };
+        let tilted = Projected {
+            at: [30.0, 30.0, 0.0],
+            center: [30.0, 30.0, 0.0],
+            normal: [half, 0.0, half],
+            radius: 10.0,
+        };
         let surface = Surface::draw(&[tilted], 64, 64);
         assert_eq!(surface.at(34.5, 30.5), -4.5);
         assert_eq!(surface.at(39.5, 30.5), f32::NEG_INFINITY, "foreshortened to 7 pixels");

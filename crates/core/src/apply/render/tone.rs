@@ -14,9 +14,11 @@ const LIGHTEST: f32 = 0.86;
 /// How far the farthest surface fades towards the paper.
 const FADE: f32 = 0.30;
 /// From this distance of neighbours in fine pixels on, points are drawn as dots on a paler surface.
-const DOTS_FROM: f32 = 5.0;
+const DOTS_FROM: f32 = 8.0;
 /// Greatest radius of a dot in fine pixels.
-const GREATEST_DOT: f32 = 5.0;
+const GREATEST_DOT: f32 = 9.0;
+/// Tone of a dot as a share of the surface's.
+const DOT_TONE: f32 = 0.62;
 /// Colour of tone 0; tone 1 is white.
 const INK: Colour = [0.10, 0.13, 0.17];
 
@@ -35,9 +37,9 @@ pub(super) fn shaded(surfels: &[Projected], surface: &Surface, spacing: f32) -> 
         })
         .collect();
     if dotted {
-        let radius = (0.3 * spacing).clamp(1.5, GREATEST_DOT);
+        let radius = (0.22 * spacing).min(GREATEST_DOT);
         for (surfel, tone) in surfels.iter().zip(&tones) {
-            draw_dot(surfel, radius, 0.62 * tone, surface, &mut fine);
+            draw_dot(surfel, radius, DOT_TONE * tone, surface, &mut fine);
         }
     }
     fine
@@ -97,7 +99,7 @@ mod tests {
 
     #[test]
     fn a_face_towards_the_light_is_lighter_than_one_away_from_it() {
-        let facing = |normal| Projected { at: [0.0; 3], normal, radius: 1.0 };
+        let facing = |normal| Projected { at: [0.0; 3], center: [0.0; 3], normal, radius: 1.0 };
         let light = tone(&facing(LIGHT), [0.0, 0.0]);
         let dark = tone(&facing([0.8, -0.6, 0.0]), [0.0, 0.0]);
         assert!(light > dark + 0.3);
