@@ -60,7 +60,9 @@ mod tests {
     #[test]
     fn closing_lines_add_up_and_other_lines_do_not_count() {
         let mut tally = Tally::default();
-        tally.count("test result: ok. 12 passed; 0 failed; 2 ignored; 0 measured; 3 filtered out; finished in 0.61s");
+        tally.count(
+            "test result: ok. 12 passed; 0 failed; 2 ignored; 0 measured; 3 filtered out; finished in 0.61s",
+        );
         tally.count("test result: FAILED. 1 passed; 4 failed; 0 ignored; 0 measured; 0 filtered out; finished in 1.0s");
         tally.count("test five_passed ... ok");
         tally.count("7 passed; 7 failed");

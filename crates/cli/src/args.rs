@@ -7,11 +7,11 @@ use clap_complete::Shell;
 
 const EXAMPLES: &str = "\
 Examples:
-  lineament extract --sample bracket -o bracket.obj    a generated scan, to try it out
-  lineament extract part.ply                           part.lines.json and part.lines.obj beside the input
-  lineament extract part.ply -o part.dxf -o part.json  several formats, by extension
-  lineament render part.ply -o part.png                look at it
-  lineament params > tuning.toml                       every parameter, with its meaning
+  lineament extract --sample bracket -o bracket.obj     a generated scan, to try it out
+  lineament extract part.ply                            writes part.lines.json and .obj
+  lineament extract part.ply -o part.dxf -o part.json   several formats, by extension
+  lineament render part.ply -o part.png                 look at it
+  lineament params > tuning.toml                        every parameter, with its meaning
 
 Exit codes:
   0    everything asked for was done
@@ -32,6 +32,36 @@ pub struct Args {
     #[command(subcommand)]
     pub command: Command,
 }
+
+const EXTRACT_HELP: &str = "\
+Formats by extension:
+  .json  everything found, in the schema lineament-network/1
+  .obj   lines, grouped by kind
+  .ply   vertices and edges
+  .dxf   3D polylines, a layer a kind
+
+Examples:
+  lineament extract part.ply
+  lineament extract part.ply -o lines/part.dxf --method penalty
+  lineament extract part.ply --params tuning.toml --set penalty.fold_deg=15
+  zcat scan.xyz.gz | lineament extract - -o - > lines.json";
+
+const CLASSIFY_HELP: &str = "\
+Formats by extension:
+  .npy  classes as u8, one a point
+  .ply  the points and their attributes with class and score
+
+Example:
+  lineament classify part.ply -o part.classes.npy -o part.classes.ply";
+
+const RENDER_HELP: &str = "\
+Creases are red, borders blue, junctions black, corners green, ends pink. What the surface hides is
+faint and dashed.
+
+Examples:
+  lineament render part.ply -o part.png
+  lineament render part.ply -o top.png --view top --size 2400x1800
+  lineament render part.ply -o part.png --network part.lines.json";
 
 /// What to do.
 #[derive(Debug, Subcommand)]
@@ -61,6 +91,7 @@ pub enum Command {
 
 /// Arguments of `extract`.
 #[derive(Debug, ClapArgs)]
+#[command(after_help = EXTRACT_HELP)]
 pub struct Extract {
     #[command(flatten)]
     pub source: Source,
@@ -76,6 +107,7 @@ pub struct Extract {
 
 /// Arguments of `classify`.
 #[derive(Debug, ClapArgs)]
+#[command(after_help = CLASSIFY_HELP)]
 pub struct Classify {
     #[command(flatten)]
     pub source: Source,
@@ -91,6 +123,7 @@ pub struct Classify {
 
 /// Arguments of `render`.
 #[derive(Debug, ClapArgs)]
+#[command(after_help = RENDER_HELP)]
 pub struct Render {
     #[command(flatten)]
     pub source: Source,

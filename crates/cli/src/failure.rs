@@ -62,9 +62,9 @@ impl From<lineament::Error> for Failure {
             lineament::Error::Parameter { .. } => {
                 Some("`lineament params` lists all parameters with their ranges")
             }
-            lineament::Error::TooFewPoints { .. } => {
-                Some("`lineament info FILE` tells what the file holds; `lineament render --network none` draws it")
-            }
+            lineament::Error::TooFewPoints { .. } => Some(
+                "`lineament info FILE` tells what the file holds; `lineament render --network none` draws it",
+            ),
             _ => None,
         };
         Self { code: Code::Refused, message: error.to_string(), advice: advice.map(String::from) }

@@ -58,9 +58,9 @@ pub fn times(input: &Input, report: &Report, verbose: bool, writing: f64, total:
 
 /// The names of the files written.
 pub fn written(outputs: &[PathBuf]) -> String {
-    let names = outputs.iter().map(|p| {
-        if p.as_os_str() == "-" { "standard output".into() } else { p.display().to_string() }
-    });
+    let names = outputs
+        .iter()
+        .map(|p| if p.as_os_str() == "-" { "standard output".into() } else { p.display().to_string() });
     format!("wrote {}", names.collect::<Vec<String>>().join(", "))
 }
 

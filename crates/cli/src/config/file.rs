@@ -50,7 +50,8 @@ fn set_value(text: &str, key: &str, value: &Spanned<DeValue>, params: &mut Param
         DeValue::Integer(_) | DeValue::Float(_) => source.replace('_', ""),
         DeValue::Boolean(truth) => truth.to_string(),
         _ => {
-            let message = format!("parameter `{key}` = `{source}`: a number, a truth value or a text is expected");
+            let message =
+                format!("parameter `{key}` = `{source}`: a number, a truth value or a text is expected");
             return Err(Failure::new(Code::Refused, message));
         }
     };

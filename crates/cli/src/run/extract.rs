@@ -21,7 +21,8 @@ pub fn run(args: &Extract) -> Result<(), Failure> {
     config::threads(&args.running)?;
     let params = config::params(&args.tuning)?;
     let outputs = checked_outputs(args)?;
-    let input = source::load(&args.source, &ReadOptions { attributes: false, hash: true, ..Default::default() })?;
+    let input =
+        source::load(&args.source, &ReadOptions { attributes: false, hash: true, ..Default::default() })?;
     let found = progress::observed(&input.cloud, &params, args.running.quiet)
         .map_err(|e| Failure::from(e).at(&input.name))?;
     let context = context(&input, &params, &found);

@@ -16,7 +16,7 @@ use crate::network::{Network, NodeKind, StripKind};
 const FINE: usize = 2;
 /// Spacings that a line may lie behind the surface and still be seen.
 pub(super) const LINE_BIAS: f64 = 2.5;
-const HIDDEN_OPACITY: f32 = 0.38;
+const HIDDEN_OPACITY: f32 = 0.45;
 
 /// The colour of a kind of line; told apart by the colour-blind too.
 pub(super) fn strip_colour(kind: StripKind) -> Colour {
@@ -99,7 +99,7 @@ fn draw_strips(
                 halo.polyline(&points, 2.0 * pen);
                 visible.polyline(&points, pen);
             } else {
-                hidden.dashes(&points, 0.6 * pen, 3.0 * pen, 1.5 * pen);
+                hidden.dashes(&points, 0.7 * pen, 3.0 * pen, 1.5 * pen);
             }
         }
     }
