@@ -74,7 +74,7 @@ pub fn grouped(number: usize) -> String {
     let digits = number.to_string();
     let mut text = String::new();
     for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i) % 3 == 0 {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
             text.push(',');
         }
         text.push(digit);
@@ -108,7 +108,7 @@ mod tests {
 
     #[test]
     fn figures_have_four_digits() {
-        let shown = [0.0, 0.012_345, 3.141_59, 1234.56, 2.5e-9, 123_456.0].map(figure);
-        assert_eq!(shown, ["0", "0.01235", "3.142", "1235", "2.500e-9", "123456"]);
+        let shown = [0.0, 0.012_345, 7.654_32, 1234.56, 2.5e-9, 123_456.0].map(figure);
+        assert_eq!(shown, ["0", "0.01235", "7.654", "1235", "2.500e-9", "123456"]);
     }
 }

@@ -61,6 +61,5 @@ fn context(input: &Input, params: &Params, found: &Extraction) -> NetworkContext
         parameters: parameters.collect(),
         spacing: found.report.spacing,
         noise: Some(found.report.noise),
-        ..Default::default()
     }
 }

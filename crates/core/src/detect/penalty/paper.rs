@@ -34,7 +34,9 @@ pub fn penalties(
     let rows: Vec<Point> = (0..points.len())
         .into_par_iter()
         .with_min_len(1024)
-        .map_init(Default::default, |(scratch, angles), i| point(points, graph, derived.hops, i, scratch, angles))
+        .map_init(Default::default, |(scratch, angles), i| {
+            point(points, graph, derived.hops, i, scratch, angles)
+        })
         .collect();
     let greatest = rows.iter().map(|r| r.curvature).fold(0.0, f64::max);
     let mut measure = Measure {
