@@ -74,7 +74,8 @@ fn classify_gives_a_row_for_every_point_of_the_input_in_its_order() {
     assert_eq!(classes[7], 0, "a dropped point is smooth");
     assert_eq!(classes[387], classes[0], "a duplicate is what its twin is");
     let furthest = points.iter().map(|p| p.map(f64::abs).iter().sum()).fold(0.0, f64::max);
-    let corners = points.iter().zip(classes).filter(|(p, _)| p.map(f64::abs).iter().sum::<f64>() == furthest);
+    let corners =
+        points[..387].iter().zip(classes).filter(|(p, _)| p.map(f64::abs).iter().sum::<f64>() == furthest);
     assert_eq!(corners.map(|(_, &class)| class).collect::<Vec<u8>>(), [3; 8]);
     let header = String::from_utf8_lossy(&sandbox.read("a.ply")[..400]).into_owned();
     assert!(
