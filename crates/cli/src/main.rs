@@ -1,3 +1,24 @@
-//! The `lineament` program.
+//! The `lineament` program: scan files in, feature lines out. `lineament --help` teaches it.
 
-fn main() {}
+mod args;
+mod config;
+mod failure;
+mod interrupt;
+mod network_file;
+mod outputs;
+mod progress;
+mod run;
+mod source;
+mod summary;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+fn main() -> ExitCode {
+    let args = args::Args::parse();
+    match interrupt::install().and_then(|()| run::run(args.command)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}

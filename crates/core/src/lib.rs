@@ -1,5 +1,6 @@
 //! Feature lines from point clouds.
 
+pub mod apply;
 pub mod check;
 pub mod classify;
 pub mod cloud;

@@ -1,0 +1,83 @@
+//! Why the program stops, and the exit code that says so.
+
+use std::fmt::Display;
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Exit codes. `--help` and the README list them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Code {
+    /// The command line does not make sense. clap uses the same code.
+    Usage = 2,
+    /// An input cannot be read, or is malformed.
+    Input = 3,
+    /// A parameter is out of range, or the cloud has no surface.
+    Refused = 4,
+    /// An output cannot be written.
+    Output = 5,
+}
+
+/// The exit code after an interrupt, 128 + SIGINT.
+pub const INTERRUPTED: i32 = 130;
+
+/// The end of a run that did not succeed.
+#[derive(Clone, Debug)]
+pub struct Failure {
+    pub code: Code,
+    /// File, place, value and reason.
+    pub message: String,
+    /// What to do about it.
+    pub advice: Option<String>,
+}
+
+impl Failure {
+    /// A failure without advice.
+    pub fn new(code: Code, message: impl Display) -> Self {
+        Self { code, message: message.to_string(), advice: None }
+    }
+
+    /// The same, with what to do about it.
+    pub fn advise(self, advice: impl Into<String>) -> Self {
+        Self { advice: Some(advice.into()), ..self }
+    }
+
+    /// The same, with the place it concerns in front.
+    pub fn at(self, place: impl Display) -> Self {
+        Self { message: format!("{place}: {}", self.message), ..self }
+    }
+
+    /// Tells the user on standard error; gives the code to exit with.
+    pub fn report(&self) -> ExitCode {
+        eprintln!("lineament: error: {}", self.message);
+        if let Some(advice) = &self.advice {
+            eprintln!("  {advice}");
+        }
+        ExitCode::from(self.code as u8)
+    }
+}
+
+impl From<lineament::Error> for Failure {
+    fn from(error: lineament::Error) -> Self {
+        let advice = match &error {
+            lineament::Error::Parameter { .. } => {
+                Some("`lineament params` lists all parameters with their ranges")
+            }
+            lineament::Error::TooFewPoints { .. } => Some(
+                "`lineament info FILE` tells what the file holds; `lineament render --network none` draws it",
+            ),
+            _ => None,
+        };
+        Self { code: Code::Refused, message: error.to_string(), advice: advice.map(String::from) }
+    }
+}
+
+impl From<lineament_io::Error> for Failure {
+    fn from(error: lineament_io::Error) -> Self {
+        Self::new(if error.is_input() { Code::Input } else { Code::Output }, error)
+    }
+}
+
+/// A path as messages show it: `-` is named.
+pub fn shown(path: &Path) -> String {
+    if path.as_os_str() == "-" { "standard input".into() } else { path.display().to_string() }
+}

@@ -1,0 +1,25 @@
+//! The commands.
+
+mod classify;
+mod completions;
+mod extract;
+mod info;
+mod man;
+mod params;
+mod render;
+
+use crate::args::Command;
+use crate::failure::Failure;
+
+/// Does what the command line asks for.
+pub fn run(command: Command) -> Result<(), Failure> {
+    match command {
+        Command::Extract(args) => extract::run(&args),
+        Command::Classify(args) => classify::run(&args),
+        Command::Render(args) => render::run(&args),
+        Command::Info(args) => info::run(&args),
+        Command::Params(tuning) => params::run(&tuning),
+        Command::Completions { shell } => completions::run(shell),
+        Command::Man { folder } => man::run(&folder),
+    }
+}

@@ -1,0 +1,114 @@
+//! What the program says at the end, on standard error.
+
+use std::path::PathBuf;
+
+use lineament::{Extraction, Network, NodeKind, Report, StripKind};
+
+use crate::source::Input;
+
+/// Lines about an extraction, without the time. With `verbose`, also what was chosen and passed over.
+pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> {
+    let report = &extraction.report;
+    let mut lines = vec![points(input, report), resolution(report), counts(&extraction.network)];
+    lines.extend(report.notes.iter().map(|note| format!("note: {note}")));
+    if verbose {
+        lines.extend(input.remarks.iter().map(|remark| format!("input: {remark}")));
+        lines.extend(report.settings.iter().map(|(key, value)| format!("chosen: {key} = {value}")));
+    }
+    lines
+}
+
+fn points(input: &Input, report: &Report) -> String {
+    let [read, dropped, merged] = [report.read, report.dropped, report.merged].map(grouped);
+    format!("{}: {read} points read, {dropped} not finite, {merged} duplicates", input.name)
+}
+
+fn resolution(report: &Report) -> String {
+    let share = if report.spacing > 0.0 { report.noise / report.spacing } else { 0.0 };
+    format!("spacing {}, noise {} ({share:.2} spacings)", figure(report.spacing), figure(report.noise))
+}
+
+fn counts(network: &Network) -> String {
+    let strips = |kind| {
+        let of_kind = network.strips.iter().filter(move |s| s.kind == kind);
+        let closed = of_kind.clone().filter(|s| s.closed).count();
+        let loops = if closed > 0 { format!(" ({})", plural(closed, "loop")) } else { String::new() };
+        format!("{}{loops}", plural(of_kind.count(), StripKind::name(kind)))
+    };
+    let mut parts = vec![strips(StripKind::Crease), strips(StripKind::Border)];
+    for kind in [NodeKind::Junction, NodeKind::Corner, NodeKind::End] {
+        parts.push(plural(network.count(kind), kind.name()));
+    }
+    if network.count(NodeKind::Apex) > 0 {
+        parts.push(format!("apex: {}", network.count(NodeKind::Apex)));
+    }
+    parts.join(", ")
+}
+
+/// Where the time went; the total includes what is not listed.
+pub fn times(input: &Input, report: &Report, verbose: bool, writing: f64, total: f64) -> String {
+    if !verbose {
+        return format!("{total:.2} s");
+    }
+    let stages = report.stages.iter().map(|(stage, seconds)| (stage.name(), *seconds));
+    let all = [("read", input.seconds)].into_iter().chain(stages).chain([("write", writing)]);
+    let parts: Vec<String> = all.map(|(name, seconds)| format!("{name} {seconds:.2}")).collect();
+    format!("{total:.2} s: {}", parts.join(", "))
+}
+
+/// The names of the files written.
+pub fn written(outputs: &[PathBuf]) -> String {
+    let names = outputs
+        .iter()
+        .map(|p| if p.as_os_str() == "-" { "standard output".into() } else { p.display().to_string() });
+    format!("wrote {}", names.collect::<Vec<String>>().join(", "))
+}
+
+/// A count with its noun.
+pub fn plural(count: usize, noun: &str) -> String {
+    format!("{} {noun}{}", grouped(count), if count == 1 { "" } else { "s" })
+}
+
+/// An integer with thousands set apart.
+pub fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// A number with four significant digits.
+pub fn figure(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        "0".into()
+    } else if (1e-4..1e6).contains(&size) {
+        let decimals = (3 - size.log10().floor() as i32).max(0) as usize;
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thousands_are_set_apart() {
+        assert_eq!(grouped(0), "0");
+        assert_eq!(grouped(999), "999");
+        assert_eq!(grouped(1_234_567), "1,234,567");
+    }
+
+    #[test]
+    fn figures_have_four_digits() {
+        let shown = [0.0, 0.012_345, 7.654_32, 1234.56, 2.5e-9, 123_456.0].map(figure);
+        assert_eq!(shown, ["0", "0.01235", "7.654", "1235", "2.500e-9", "123456"]);
+    }
+}

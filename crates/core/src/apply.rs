@@ -1,0 +1,3 @@
+//! What a result is put to use for.
+
+pub mod render;

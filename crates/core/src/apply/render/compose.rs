@@ -1,0 +1,140 @@
+//! Puts a picture together: surface, dots, hidden lines, visible lines, nodes, caption.
+
+use rayon::prelude::*;
+
+use super::camera::{Camera, View};
+use super::hidden::{is_visible, runs};
+use super::picture::{Colour, Picture, WHITE};
+use super::stroke::Mask;
+use super::surface::Surface;
+use super::surfel::Projected;
+use super::{Scene, Settings, best, caption, tone};
+use crate::error::Error;
+use crate::network::{Network, NodeKind, StripKind};
+
+/// The surface is drawn with this many pixels for one of the picture, each way, and averaged: smooth outlines.
+const FINE: usize = 2;
+/// Spacings that a line may lie behind the surface and still be seen.
+pub(super) const LINE_BIAS: f64 = 2.5;
+const HIDDEN_OPACITY: f32 = 0.45;
+
+/// The colour of a kind of line; told apart by the colour-blind too.
+pub(super) fn strip_colour(kind: StripKind) -> Colour {
+    match kind {
+        StripKind::Crease => [0.80, 0.20, 0.02],
+        StripKind::Border => [0.00, 0.36, 0.72],
+    }
+}
+
+/// The colour of a kind of node.
+pub(super) fn node_colour(kind: NodeKind) -> Colour {
+    match kind {
+        NodeKind::Junction => [0.08, 0.08, 0.10],
+        NodeKind::Corner => [0.00, 0.56, 0.42],
+        NodeKind::End => [0.82, 0.32, 0.62],
+        NodeKind::Apex => [0.90, 0.62, 0.00],
+    }
+}
+
+/// Draws a scene. The picture depends on the scene and the settings only, not on the number of threads.
+///
+/// # Errors
+/// Those of [`Settings::check`].
+pub fn render(scene: &Scene, settings: &Settings) -> Result<Picture, Error> {
+    settings.check()?;
+    let camera = aim(scene, settings);
+    let projected: Vec<Projected> = scene.surfels.par_iter().map(|s| s.project(&camera)).collect();
+    let surface = Surface::draw(&projected, settings.width * FINE, settings.height * FINE);
+    let spacing = (scene.spacing * camera.scale) as f32;
+    let fine = tone::shaded(&projected, &surface, spacing);
+    let mut picture = tone::averaged(&fine, settings.width, settings.height, FINE);
+    if let Some(network) = scene.network {
+        let pen = (settings.width.min(settings.height) as f32 / 420.0).clamp(1.2, 8.0);
+        draw_strips(network, &camera, &surface, spacing, pen, &mut picture);
+        draw_nodes(network, &camera, &surface, spacing, pen, &mut picture);
+    }
+    if settings.caption {
+        caption::draw(scene, &mut picture);
+    }
+    Ok(picture)
+}
+
+/// The camera that sees the whole scene, on the grid of the fine surface.
+fn aim(scene: &Scene, settings: &Settings) -> Camera {
+    let from = match settings.view {
+        View::Best => best::direction(scene, settings),
+        View::From(from) => from,
+    };
+    let [width, height] = [settings.width, settings.height].map(|side| (side * FINE) as f64);
+    let strips = scene.network.into_iter().flat_map(|n| n.strips.iter().flat_map(|s| s.points.iter()));
+    let all = scene.surfels.iter().map(|s| s.position).chain(strips.copied());
+    let finite = all.filter(|p| p.iter().all(|x| x.is_finite()));
+    Camera::looking(from, settings.up).fitted(finite, width, height, 0.05 * width.min(height))
+}
+
+/// A strip's line on the fine grid, closed if the strip is.
+fn projected_line(points: &[[f64; 3]], closed: bool, camera: &Camera) -> Vec<[f32; 3]> {
+    let closing = points.first().filter(|_| closed);
+    points.iter().chain(closing).map(|&p| camera.project(p)).collect()
+}
+
+fn draw_strips(
+    network: &Network,
+    camera: &Camera,
+    surface: &Surface,
+    spacing: f32,
+    pen: f32,
+    picture: &mut Picture,
+) {
+    let mask = || Mask::new(picture.width, picture.height);
+    let mut halo = mask();
+    let mut layers = [StripKind::Border, StripKind::Crease].map(|kind| (kind, mask(), mask()));
+    let bias = LINE_BIAS as f32 * spacing + 2.0;
+    for strip in &network.strips {
+        let line = projected_line(&strip.points, strip.closed, camera);
+        for run in runs(&line, surface, bias) {
+            let points: Vec<[f32; 2]> = run.points.iter().map(|p| p.map(|x| x / FINE as f32)).collect();
+            let Some((_, hidden, visible)) = layers.iter_mut().find(|l| l.0 == strip.kind) else { continue };
+            if run.visible {
+                halo.polyline(&points, 2.0 * pen);
+                visible.polyline(&points, pen);
+            } else {
+                hidden.dashes(&points, 0.7 * pen, 3.0 * pen, 1.5 * pen);
+            }
+        }
+    }
+    for (kind, hidden, _) in &layers {
+        hidden.paint(picture, strip_colour(*kind), HIDDEN_OPACITY);
+    }
+    halo.paint(picture, WHITE, 0.75);
+    for (kind, _, visible) in &layers {
+        visible.paint(picture, strip_colour(*kind), 1.0);
+    }
+}
+
+fn draw_nodes(
+    network: &Network,
+    camera: &Camera,
+    surface: &Surface,
+    spacing: f32,
+    pen: f32,
+    picture: &mut Picture,
+) {
+    let bias = LINE_BIAS as f32 * spacing + 2.0;
+    for seen in [false, true] {
+        for kind in [NodeKind::Junction, NodeKind::Corner, NodeKind::End, NodeKind::Apex] {
+            let mut rim = Mask::new(picture.width, picture.height);
+            let mut dots = Mask::new(picture.width, picture.height);
+            for node in network.nodes.iter().filter(|n| n.kind == kind) {
+                let at = camera.project(node.position);
+                if is_visible(at, surface, bias) == seen {
+                    let center = [at[0] / FINE as f32, at[1] / FINE as f32];
+                    rim.disc(center, if seen { 1.75 * pen } else { 0.0 });
+                    dots.disc(center, if seen { 1.3 * pen } else { 0.9 * pen });
+                }
+            }
+            rim.paint(picture, WHITE, if seen { 1.0 } else { 0.0 });
+            dots.paint(picture, node_colour(kind), if seen { 1.0 } else { HIDDEN_OPACITY });
+        }
+    }
+}

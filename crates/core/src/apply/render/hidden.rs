@@ -1,0 +1,105 @@
+//! Which parts of a line the surface hides.
+
+use super::surface::Surface;
+
+/// A part of a line that is seen, or hidden, as a whole.
+pub(super) struct Run {
+    pub visible: bool,
+    /// Positions on the surface's pixel grid, in order; at least two.
+    pub points: Vec<[f32; 2]>,
+}
+
+/// Pixels of the surface between two tests.
+const STEP: f32 = 1.5;
+/// A sample goes with the majority of this many before it, itself and as many after it: single pixels do not flicker.
+const MAJORITY_REACH: usize = 5;
+
+/// Cuts a line of projected points where it passes behind the surface by more than `bias` pixels of depth.
+pub(super) fn runs(line: &[[f32; 3]], surface: &Surface, bias: f32) -> Vec<Run> {
+    let samples = resample(line);
+    let seen: Vec<bool> = samples.iter().map(|&p| is_visible(p, surface, bias)).collect();
+    let seen = majority(&seen);
+    let mut runs: Vec<Run> = Vec::new();
+    for (i, (sample, &visible)) in samples.iter().zip(&seen).enumerate() {
+        let point = [sample[0], sample[1]];
+        match runs.last_mut() {
+            Some(run) if run.visible == visible => run.points.push(point),
+            Some(run) => {
+                run.points.push(point);
+                runs.push(Run { visible, points: vec![point] });
+            }
+            None if i == 0 => runs.push(Run { visible, points: vec![point] }),
+            None => {}
+        }
+    }
+    runs.retain(|run| run.points.len() > 1);
+    runs
+}
+
+/// Whether nothing lies more than `bias` pixels nearer to the eye.
+pub(super) fn is_visible([x, y, z]: [f32; 3], surface: &Surface, bias: f32) -> bool {
+    surface.at(x, y) <= z + bias
+}
+
+/// The points of the line with others between them at most [`STEP`] apart.
+fn resample(line: &[[f32; 3]]) -> Vec<[f32; 3]> {
+    let mut samples: Vec<[f32; 3]> = line.first().copied().into_iter().collect();
+    for pair in line.windows(2) {
+        let [a, b] = [pair[0], pair[1]];
+        let steps = ((b[0] - a[0]).hypot(b[1] - a[1]) / STEP).ceil().max(1.0) as usize;
+        samples.extend((1..=steps).map(|k| {
+            let t = k as f32 / steps as f32;
+            std::array::from_fn(|i| a[i] + (b[i] - a[i]) * t)
+        }));
+    }
+    samples
+}
+
+/// Each value replaced by the majority of its neighbourhood, itself where that is even.
+fn majority(seen: &[bool]) -> Vec<bool> {
+    let mut sums = vec![0i64];
+    for &s in seen {
+        sums.push(sums[sums.len() - 1] + if s { 1 } else { -1 });
+    }
+    (0..seen.len())
+        .map(|i| {
+            let reach = MAJORITY_REACH.min(i).min(seen.len() - 1 - i);
+            let sum = sums[i + reach + 1] - sums[i - reach];
+            sum > 0
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::surfel::Projected;
+    use super::*;
+
+    fn disc() -> Projected {
+        let at = [50.0, 50.0, 10.0];
+        Projected { at, center: at, normal: [0.0, 0.0, 1.0], radius: 20.0 }
+    }
+
+    #[test]
+    fn a_line_behind_a_disc_is_cut_into_three() {
+        let surface = Surface::draw(&[disc()], 100, 100);
+        let runs = runs(&[[2.0, 50.5, 0.0], [98.0, 50.5, 0.0]], &surface, 2.0);
+        assert_eq!(runs.iter().map(|r| r.visible).collect::<Vec<_>>(), [true, false, true]);
+        let hidden = &runs[1].points;
+        assert!((hidden[0][0] - 30.0).abs() < 2.0 && (hidden[hidden.len() - 1][0] - 70.0).abs() < 2.0);
+    }
+
+    #[test]
+    fn a_line_on_the_surface_is_seen_whole() {
+        let surface = Surface::draw(&[disc()], 100, 100);
+        let runs = runs(&[[2.0, 50.5, 9.0], [98.0, 50.5, 9.0]], &surface, 2.0);
+        assert_eq!(runs.iter().map(|r| r.visible).collect::<Vec<_>>(), [true]);
+    }
+
+    #[test]
+    fn one_point_or_none_gives_no_run() {
+        let surface = Surface::draw(&[], 8, 8);
+        assert!(runs(&[], &surface, 1.0).is_empty());
+        assert!(runs(&[[1.0, 1.0, 0.0]], &surface, 1.0).is_empty());
+    }
+}

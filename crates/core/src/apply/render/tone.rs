@@ -1,0 +1,115 @@
+//! Light and shade of the surface, and the dots on it.
+
+use rayon::prelude::*;
+
+use super::picture::{Colour, Picture};
+use super::surface::Surface;
+use super::surfel::Projected;
+
+/// Towards the light: over the left shoulder of the viewer. Unit length.
+const LIGHT: [f32; 3] = [-0.42, 0.50, 0.757];
+/// Tone of a surface that faces away from the light, and of one that faces it; 1 is the white of the paper.
+const DARKEST: f32 = 0.42;
+const LIGHTEST: f32 = 0.86;
+/// How far the farthest surface fades towards the paper.
+const FADE: f32 = 0.30;
+/// From this distance of neighbours in fine pixels on, points are drawn as dots on a paler surface.
+const DOTS_FROM: f32 = 8.0;
+/// Greatest radius of a dot in fine pixels.
+const GREATEST_DOT: f32 = 9.0;
+/// Tone of a dot as a share of the surface's.
+const DOT_TONE: f32 = 0.62;
+/// Colour of tone 0; tone 1 is white.
+const INK: Colour = [0.10, 0.13, 0.17];
+
+/// A tone a pixel of the surface: 1 where there is nothing.
+pub(super) fn shaded(surfels: &[Projected], surface: &Surface, spacing: f32) -> Vec<f32> {
+    let range = depth_range(surface);
+    let dotted = spacing >= DOTS_FROM;
+    let tones: Vec<f32> = surfels.par_iter().map(|s| tone(s, range)).collect();
+    let mut fine: Vec<f32> = surface
+        .surfel
+        .par_iter()
+        .map(|&id| match tones.get(id as usize) {
+            Some(&tone) if dotted => 1.0 - 0.55 * (1.0 - tone),
+            Some(&tone) => tone,
+            None => 1.0,
+        })
+        .collect();
+    if dotted {
+        let radius = (0.22 * spacing).min(GREATEST_DOT);
+        for (surfel, tone) in surfels.iter().zip(&tones) {
+            draw_dot(surfel, radius, DOT_TONE * tone, surface, &mut fine);
+        }
+    }
+    fine
+}
+
+/// Depths of the farthest and the nearest pixel.
+fn depth_range(surface: &Surface) -> [f32; 2] {
+    let seen = surface.depth.iter().filter(|d| d.is_finite());
+    seen.fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], &d| [low.min(d), high.max(d)])
+}
+
+fn tone(s: &Projected, [far, near]: [f32; 2]) -> f32 {
+    let lit = s.normal.iter().zip(LIGHT).map(|(n, l)| n * l).sum::<f32>().max(0.0);
+    let tone = DARKEST + (LIGHTEST - DARKEST) * lit;
+    let away = if near > far { ((near - s.at[2]) / (near - far)).clamp(0.0, 1.0) } else { 0.0 };
+    tone + (1.0 - tone) * FADE * away
+}
+
+/// A small disc in the tangent plane, where the surface in front of it leaves it in sight.
+fn draw_dot(s: &Projected, radius: f32, tone: f32, surface: &Surface, fine: &mut [f32]) {
+    let [sx, sy] = s.slope();
+    let reach = radius.ceil() as i32;
+    for dy in -reach..=reach {
+        for dx in -reach..=reach {
+            let [px, py] = [dx as f32, dy as f32];
+            let dz = sx * px + sy * py;
+            let Some(i) = surface.index(s.at[0] + px, s.at[1] + py) else { continue };
+            let inside = px * px + py * py + dz * dz <= radius * radius;
+            if inside && surface.depth[i] <= s.at[2] + s.radius {
+                fine[i] = tone;
+            }
+        }
+    }
+}
+
+/// The picture of tones averaged over blocks of `factor` x `factor`.
+pub(super) fn averaged(fine: &[f32], width: usize, height: usize, factor: usize) -> Picture {
+    let mut picture = Picture { width, height, rgb: vec![0; 3 * width * height] };
+    picture.rgb.par_chunks_mut(3 * width).enumerate().for_each(|(y, row)| {
+        for (x, pixel) in row.chunks_exact_mut(3).enumerate() {
+            let block = (0..factor).flat_map(|dy| {
+                let start = (y * factor + dy) * width * factor + x * factor;
+                &fine[start..start + factor]
+            });
+            let tone = block.sum::<f32>() / (factor * factor) as f32;
+            for (byte, ink) in pixel.iter_mut().zip(INK) {
+                *byte = super::picture::to_byte(ink + (1.0 - ink) * tone);
+            }
+        }
+    });
+    picture
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_face_towards_the_light_is_lighter_than_one_away_from_it() {
+        let facing = |normal| Projected { at: [0.0; 3], center: [0.0; 3], normal, radius: 1.0 };
+        let light = tone(&facing(LIGHT), [0.0, 0.0]);
+        let dark = tone(&facing([0.8, -0.6, 0.0]), [0.0, 0.0]);
+        assert!(light > dark + 0.3);
+    }
+
+    #[test]
+    fn averaging_keeps_the_mean() {
+        let picture = averaged(&[1.0, 0.0, 1.0, 1.0, 1.0, 0.0, 1.0, 1.0], 2, 1, 2);
+        let middle = super::super::picture::to_byte(INK[0] + (1.0 - INK[0]) * 0.5);
+        assert_eq!(picture.rgb[0], middle);
+        assert_eq!(picture.rgb[3..6], [255; 3]);
+    }
+}
