@@ -60,6 +60,8 @@ fn strip(value: &Value) -> Result<Strip, String> {
         points: points.ok_or("points: a list of three numbers each was expected")?,
         curve: Default::default(),
         sources: Vec::new(),
+        fold_deg: None,
+        evidence: 0.0,
         deviation: 0.0,
         confidence: value["confidence"].as_f64().unwrap_or(0.0),
     })

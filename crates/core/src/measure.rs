@@ -36,6 +36,8 @@ pub struct Penalties {
     /// `(M)` evidence that the line is sharp, in variances of the noise; negative speaks for a smooth surface. Zero where
     /// the detector has no such test.
     pub evidence: Vec<f32>,
+    /// `(M)` angle between the faces, radians, never negative; zero where the detector does not measure it.
+    pub fold: Vec<f32>,
     /// How `vector` acts on an edge.
     pub direction: Direction,
     /// Share of `scalar` in the weight of an edge, the rest is the vector penalty's.
@@ -76,6 +78,7 @@ impl Penalties {
         self.corner.push(row.corner);
         self.foot.push(row.foot);
         self.evidence.push(row.evidence);
+        self.fold.push(row.fold);
     }
 
     /// The number of candidates.
@@ -102,4 +105,6 @@ pub struct Row {
     pub foot: [f64; 3],
     /// Evidence that the line is sharp.
     pub evidence: f32,
+    /// Angle between the faces, radians.
+    pub fold: f32,
 }

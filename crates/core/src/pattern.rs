@@ -22,6 +22,11 @@ pub struct LineGraph {
     pub penalty: Vec<f32>,
     /// `(V)` how little a direction is preferred at the vertex: 0 at a corner, 1 on a line.
     pub corner: Vec<f32>,
+    /// `(V)` evidence that the line is sharp, in variances of the noise; see
+    /// [`Penalties`](crate::measure::Penalties).
+    pub evidence: Vec<f32>,
+    /// `(V)` angle between the faces, radians; zero where unknown.
+    pub fold: Vec<f32>,
     /// `(V)` neighbours of each vertex in the graph, ascending.
     pub edges: Vec<Vec<u32>>,
 }

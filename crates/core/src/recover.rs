@@ -80,7 +80,6 @@ fn strip(
     let options = FitOptions { span: span(params, resolution), smoothing: 0.1, closed: ends.is_none() };
     let (curve, parameters) = fit(&positions, options);
     let squares: f64 = positions.iter().zip(&parameters).map(|(&p, &t)| distance2(p, curve.point(t))).sum();
-    let penalty: f64 = path.vertices.iter().map(|&v| f64::from(lines.penalty[v as usize])).sum();
     let mut sources: Vec<u32> = path.vertices.iter().map(|&v| lines.points[v as usize]).collect();
     sources.dedup();
     Strip {
@@ -91,9 +90,23 @@ fn strip(
         points: polyline(&curve, params.step_spacings * resolution.spacing),
         curve,
         sources,
+        fold_deg: fold_deg(lines, path),
+        evidence: mean(&lines.evidence, path),
         deviation: (squares / positions.len() as f64).sqrt(),
-        confidence: (1.0 - penalty / path.vertices.len() as f64).clamp(0.0, 1.0),
+        confidence: (1.0 - mean(&lines.penalty, path)).clamp(0.0, 1.0),
     }
+}
+
+/// The mean over the vertices of a path.
+fn mean(values: &[f32], path: &Path) -> f64 {
+    path.vertices.iter().map(|&v| f64::from(values[v as usize])).sum::<f64>() / path.vertices.len() as f64
+}
+
+/// The mean fold over the vertices that measured one, degrees.
+fn fold_deg(lines: &LineGraph, path: &Path) -> Option<f64> {
+    let folds = || path.vertices.iter().map(|&v| f64::from(lines.fold[v as usize])).filter(|&f| f > 0.0);
+    let count = folds().count();
+    (count > 0).then(|| (folds().sum::<f64>() / count as f64).to_degrees())
 }
 
 /// Points on the curve about `step` apart; a closed curve's first is not repeated.

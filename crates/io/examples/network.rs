@@ -29,6 +29,8 @@ fn network() -> Network {
         points,
         curve: BSpline::default(),
         sources: vec![0],
+        fold_deg: None,
+        evidence: 0.0,
         deviation: 0.001,
         confidence: 0.9,
     };

@@ -33,6 +33,8 @@ fn strip(curve: &TruthCurve) -> Strip {
         points: curve.points.clone(),
         curve: BSpline { degree, knots, controls: curve.points.clone(), periodic: curve.closed },
         sources: vec![0, 1],
+        fold_deg: None,
+        evidence: 0.0,
         deviation: 0.0,
         confidence: 1.0,
     }

@@ -20,7 +20,7 @@ pub(super) const MAX_DEGREE: usize = 3;
 impl BSpline {
     /// A clamped curve's knots: `spans` equal ones over `[0, length]`.
     pub(super) fn clamped_knots(degree: usize, spans: usize, length: f64) -> Vec<f64> {
-        let inner = (0..=spans).map(|i| length * i as f64 / spans as f64);
+        let inner = (0..=spans).map(|i| length * (i as f64 / spans as f64));
         std::iter::repeat_n(0.0, degree).chain(inner).chain(std::iter::repeat_n(length, degree)).collect()
     }
 

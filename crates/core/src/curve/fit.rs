@@ -27,7 +27,7 @@ pub fn fit(points: &[[f64; 3]], options: FitOptions) -> (BSpline, Vec<f64>) {
     let spans = ((length / options.span).round() as usize).clamp(1, points.len().max(2) - 1);
     let mut curve = if options.closed {
         let spans = spans.max(4);
-        let knots = (0..=spans).map(|i| length * i as f64 / spans as f64).collect();
+        let knots = (0..=spans).map(|i| length * (i as f64 / spans as f64)).collect();
         BSpline { degree: 3, knots, controls: vec![[0.0; 3]; spans], periodic: true }
     } else {
         let degree = (points.len().saturating_sub(1)).clamp(1, 3);

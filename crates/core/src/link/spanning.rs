@@ -20,6 +20,8 @@ pub fn minimum_spanning_graph(
         positions: penalties.foot.clone(),
         penalty: penalties.scalar.clone(),
         corner: penalties.corner.clone(),
+        evidence: penalties.evidence.clone(),
+        fold: penalties.fold.clone(),
         edges: vec![Vec::new(); penalties.len()],
     };
     let mut sets = UnionFind::new(penalties.len());

@@ -71,6 +71,8 @@ pub fn network() -> Network {
             periodic: start.is_none(),
         },
         sources: vec![0, 1],
+        fold_deg: None,
+        evidence: 0.0,
         deviation: 1e-7,
         confidence: 0.875,
     };

@@ -14,7 +14,7 @@
 //!   acute crease, where one face hides the other.
 
 use super::{Derived, density};
-use crate::detect::fold::CrossSection;
+use crate::detect::fold::{CrossSection, Fold};
 use crate::detect::normals::{Normals, normals};
 use crate::detect::open_angle::{chance_opening, open_angle};
 use crate::detect::tensor::{add_product, ellipsoid};
@@ -155,12 +155,14 @@ impl Context<'_> {
         let reach = 2.0 * self.resolution.spacing + 2.0 * self.resolution.noise;
         let foot = if norm(shift) <= reach { add(self.points[i], shift) } else { self.points[i] };
         let certainty = if middle > 0.0 { 1.0 - (least / middle).sqrt() } else { 0.0 };
+        let sharp = self.evidence(i, tensor, foot, wide, section);
         Row {
             scalar: penalty as f32,
             vector: scale(tensor.vectors[0], certainty).map(|x| x as f32),
             corner: (1.0 - (least.sqrt() / self.least_fold).min(1.0)) as f32,
             foot,
-            evidence: self.evidence(i, tensor, foot, wide, section) as f32,
+            evidence: sharp.evidence as f32,
+            fold: sharp.angle.abs() as f32,
         }
     }
 
@@ -172,11 +174,11 @@ impl Context<'_> {
         foot: [f64; 3],
         wide: &[u32],
         section: &mut CrossSection,
-    ) -> f64 {
+    ) -> Fold {
         let h = self.resolution.spacing;
         let [along, middle, most] = tensor.vectors;
         if tensor.values[0].max(0.0).sqrt() > self.least_fold {
-            return 0.0;
+            return Fold::default();
         }
         let (mut centre, mut count) = ([0.0; 3], 0.0);
         for &j in wide {
@@ -196,7 +198,7 @@ impl Context<'_> {
             }
         }
         let variance = (self.resolution.noise / h).powi(2) + MODEL_ERROR * MODEL_ERROR;
-        section.fold(variance).map_or(0.0, |f| f.evidence)
+        section.fold(variance).unwrap_or_default()
     }
 
     fn border(&self, i: usize, wide: &[u32], angles: &mut Vec<f64>) -> Option<Row> {
@@ -213,6 +215,7 @@ impl Context<'_> {
             corner: if opening.angle > 1.2 * PI { 0.5 } else { 1.0 },
             foot: self.points[i],
             evidence: 0.0,
+            fold: 0.0,
         })
     }
 }
