@@ -19,7 +19,7 @@ fn point_faults(strip: &Strip) -> Vec<String> {
         (points.len() < least).then(|| format!("{} points, at least {least} needed", points.len())),
         (!points.iter().all(finite)).then(|| "a point is not finite".into()),
         // A length that is not a number is named with the points.
-        (strip.length() <= 0.0).then(|| format!("length {}", strip.length())),
+        (strip.length() <= 0.0).then(|| "no length".into()),
         repeat.map(|i| format!("point {i} is repeated")),
         seam.then(|| "closed, and its first point is repeated at the end".into()),
     ];

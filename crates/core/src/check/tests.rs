@@ -139,7 +139,7 @@ fn repeated_points_and_a_repeated_seam_are_named() {
         fault(|n| n.strips[18].points[719] = n.strips[18].points[0]).contains("its first point is repeated")
     );
     let both = fault(|n| n.strips[0].points[1] = n.strips[0].points[0]);
-    assert!(both.contains("strip 0: length 0"));
+    assert!(both.contains("strip 0: no length"));
 }
 
 #[test]
