@@ -1,10 +1,12 @@
 //! Linkers: from what the points say to graphs of lines.
 
+mod judge;
 mod prune;
 mod spanning;
 mod walk;
 mod weight;
 
+pub use judge::judge;
 pub use prune::prune;
 pub use spanning::minimum_spanning_graph;
 pub use weight::{Candidate, candidate_edges};
@@ -58,6 +60,9 @@ pub fn link(
         let edges = candidate_edges(graph, measure, penalties, resolution, params.tau);
         let mut lines = minimum_spanning_graph(penalties, &edges, resolution, reach);
         prune(&mut lines, resolution, reach);
+        if reach.openness > 0.0 {
+            judge(&mut lines, resolution, reach);
+        }
         lines
     };
     Pattern { crease: lines(params.creases, &measure.crease), border: lines(params.borders, &measure.border) }

@@ -36,6 +36,8 @@ pub struct Penalties {
     /// `(M)` evidence that the line is sharp, in variances of the noise; negative speaks for a smooth surface. Zero where
     /// the detector has no such test.
     pub evidence: Vec<f32>,
+    /// `(M)` the evidence that a sharp fold of the measured angle would give; zero where the detector has no such test.
+    pub expected: Vec<f32>,
     /// `(M)` angle between the faces, radians, never negative; zero where the detector does not measure it.
     pub fold: Vec<f32>,
     /// How `vector` acts on an edge.
@@ -78,6 +80,7 @@ impl Penalties {
         self.corner.push(row.corner);
         self.foot.push(row.foot);
         self.evidence.push(row.evidence);
+        self.expected.push(row.expected);
         self.fold.push(row.fold);
     }
 
@@ -105,6 +108,8 @@ pub struct Row {
     pub foot: [f64; 3],
     /// Evidence that the line is sharp.
     pub evidence: f32,
+    /// The evidence that a sharp fold of the measured angle would give.
+    pub expected: f32,
     /// Angle between the faces, radians.
     pub fold: f32,
 }

@@ -25,6 +25,8 @@ pub struct LineGraph {
     /// `(V)` evidence that the line is sharp, in variances of the noise; see
     /// [`Penalties`](crate::measure::Penalties).
     pub evidence: Vec<f32>,
+    /// `(V)` the evidence that a sharp fold of the measured angle would give.
+    pub expected: Vec<f32>,
     /// `(V)` angle between the faces, radians; zero where unknown.
     pub fold: Vec<f32>,
     /// `(V)` neighbours of each vertex in the graph, ascending.

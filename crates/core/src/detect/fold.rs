@@ -18,6 +18,8 @@ pub struct Fold {
     /// Residual of the best smooth shape less that of the best wedge, in variances of the noise: above zero speaks for a
     /// crease.
     pub evidence: f64,
+    /// The evidence that this wedge would give without noise.
+    pub expected: f64,
     /// Angle between the sides of the best wedge, radians, signed by its sense.
     pub angle: f64,
 }
@@ -58,14 +60,19 @@ impl CrossSection {
             return None;
         }
         let line = Line::fit(&self.s, &self.z);
-        let wedge = HINGES
+        let (hinge, wedge) = HINGES
             .iter()
-            .map(|&h| self.residual(&line, |s| (s - h).abs()))
-            .min_by(|a, b| a.squares.total_cmp(&b.squares))?;
+            .map(|&h| (h, self.residual(&line, |s| (s - h).abs())))
+            .min_by(|a, b| a.1.squares.total_cmp(&b.1.squares))?;
         let smooth = self.smooth(&line);
+        let ideal = CrossSection {
+            s: self.s.clone(),
+            z: self.s.iter().map(|s| wedge.coefficient * (s - hinge).abs()).collect(),
+        };
+        let expected = ideal.smooth(&Line::fit(&ideal.s, &ideal.z));
         let slope = line.slope - wedge.coefficient * wedge.slope;
         let angle = (slope + wedge.coefficient).atan() - (slope - wedge.coefficient).atan();
-        Some(Fold { evidence: (smooth - wedge.squares) / variance, angle })
+        Some(Fold { evidence: (smooth - wedge.squares) / variance, expected: expected / variance, angle })
     }
 
     /// The least residual of the smooth shapes.
@@ -172,6 +179,7 @@ mod tests {
     fn a_right_angle_is_sharp_with_its_angle() {
         let fold = section(f64::abs).fold(0.0025).unwrap();
         assert!(fold.evidence > 100.0);
+        assert!((fold.evidence - fold.expected).abs() < 1e-6 * fold.expected);
         assert!((fold.angle.to_degrees() - 90.0).abs() < 1e-6);
     }
 

@@ -21,6 +21,7 @@ pub fn minimum_spanning_graph(
         penalty: penalties.scalar.clone(),
         corner: penalties.corner.clone(),
         evidence: penalties.evidence.clone(),
+        expected: penalties.expected.clone(),
         fold: penalties.fold.clone(),
         edges: vec![Vec::new(); penalties.len()],
     };

@@ -162,6 +162,7 @@ impl Context<'_> {
             corner: (1.0 - (least.sqrt() / self.least_fold).min(1.0)) as f32,
             foot,
             evidence: sharp.evidence as f32,
+            expected: sharp.expected as f32,
             fold: sharp.angle.abs() as f32,
         }
     }
@@ -215,6 +216,7 @@ impl Context<'_> {
             corner: if opening.angle > 1.2 * PI { 0.5 } else { 1.0 },
             foot: self.points[i],
             evidence: 0.0,
+            expected: 0.0,
             fold: 0.0,
         })
     }

@@ -1,0 +1,80 @@
+//! Keeps or drops whole strips by the evidence along them.
+//!
+//! One point's cross-section says little under noise; along a strip the evidence adds up. What a strip shows is compared with
+//! what a sharp fold of its own angle would show at the same places: sharp strips reach it, rounds reach none of it, and the
+//! comparison needs no threshold that would have to grow with noise. Not in Gumhold 2001, whose pruning is by length alone.
+
+use super::Reach;
+use crate::math::union_find::UnionFind;
+use crate::math::vec3::distance;
+use crate::pattern::LineGraph;
+use crate::recover::{Path, paths};
+use crate::resolution::Resolution;
+
+/// Share of the evidence of a sharp fold that a strip must show.
+const SHARP: f64 = 0.4;
+/// A strip shorter than this, in spacings, lies within the junctions at its ends and is not judged by itself.
+const WITHIN_JUNCTION: f64 = 3.0;
+
+/// Drops strips that are round, then what is left in pieces too short to be lines.
+pub fn judge(lines: &mut LineGraph, resolution: Resolution, reach: Reach) {
+    loop {
+        let round: Vec<Path> =
+            paths(lines).into_iter().filter(|p| is_round(lines, p, resolution)).collect();
+        if round.is_empty() {
+            break;
+        }
+        for path in &round {
+            remove_path(lines, path);
+        }
+    }
+    drop_short_pieces(lines, resolution, 0.5 * reach.rho);
+}
+
+/// Whether the strip shows too little of the evidence that a fold of its angle would.
+fn is_round(lines: &LineGraph, path: &Path, resolution: Resolution) -> bool {
+    let total = |values: &[f32]| path.vertices.iter().map(|&v| f64::from(values[v as usize])).sum::<f64>();
+    let loose = path.ends.is_some_and(|e| e.iter().any(|&v| lines.edges[v as usize].len() == 1));
+    if !loose && path.ends.is_some() && length(lines, &path.vertices) < WITHIN_JUNCTION * resolution.spacing {
+        return false;
+    }
+    let expected = total(&lines.expected);
+    expected > 0.0 && total(&lines.evidence) < SHARP * expected
+}
+
+fn remove_path(lines: &mut LineGraph, path: &Path) {
+    for pair in path.vertices.windows(2) {
+        lines.remove_edge(pair[0], pair[1]);
+    }
+    if let (None, [first, .., last]) = (path.ends, &path.vertices[..]) {
+        lines.remove_edge(*first, *last);
+    }
+}
+
+/// Removes connected pieces whose edges add up to less than `least` spacings.
+fn drop_short_pieces(lines: &mut LineGraph, resolution: Resolution, least: f64) {
+    let mut sets = UnionFind::new(lines.edges.len());
+    for (a, list) in lines.edges.iter().enumerate() {
+        for &b in list {
+            sets.union(a as u32, b);
+        }
+    }
+    let mut lengths = vec![0.0; lines.edges.len()];
+    for a in 0..lines.edges.len() as u32 {
+        for &b in lines.edges[a as usize].iter().filter(|&&b| b > a) {
+            lengths[sets.find(a) as usize] += length(lines, &[a, b]);
+        }
+    }
+    for v in 0..lines.edges.len() as u32 {
+        if lengths[sets.find(v) as usize] < least * resolution.spacing {
+            lines.edges[v as usize].clear();
+        }
+    }
+}
+
+fn length(lines: &LineGraph, vertices: &[u32]) -> f64 {
+    vertices
+        .windows(2)
+        .map(|w| distance(lines.positions[w[0] as usize], lines.positions[w[1] as usize]))
+        .sum()
+}
