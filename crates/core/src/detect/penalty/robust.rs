@@ -19,7 +19,7 @@ use crate::detect::normals::{Normals, normals};
 use crate::detect::open_angle::{chance_opening, open_angle};
 use crate::detect::tensor::{add_product, ellipsoid};
 use crate::math::eigen3::{Eigen3, eigen3};
-use crate::math::vec3::{add, add_scaled, cross, dot, norm, scale, sub};
+use crate::math::vec3::{add, add_scaled, cross, dot, norm, scale, sub, unit};
 use crate::measure::{Direction, Measure, Penalties, Row};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::params::PenaltyParams;
@@ -181,15 +181,15 @@ impl Context<'_> {
         if tensor.values[0].max(0.0).sqrt() > self.least_fold {
             return Fold::default();
         }
-        let (mut centre, mut count) = ([0.0; 3], 0.0);
-        for &j in wide {
-            centre = add(centre, sub(self.points[j as usize], foot));
-            count += 1.0;
-        }
-        let lean = [dot(centre, middle) / count, dot(centre, most) / count];
+        // Near a right angle the tensor's two great axes are anything: the bisector is where the neighbours lie.
         let blunt = tensor.values[1] < 0.3 * tensor.values[2];
-        let (up, across) =
-            if blunt || lean[1].abs() >= lean[0].abs() { (most, middle) } else { (middle, most) };
+        let (up, across) = if blunt {
+            (most, middle)
+        } else {
+            let sum = wide.iter().fold([0.0; 3], |s, &j| add(s, sub(self.points[j as usize], foot)));
+            let up = unit(add_scaled(sum, along, -dot(sum, along)));
+            (up, cross(along, up))
+        };
         section.clear();
         for j in wide.iter().map(|&j| j as usize).chain([i]) {
             let d = sub(self.points[j], foot);
