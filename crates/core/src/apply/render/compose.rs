@@ -123,14 +123,15 @@ fn draw_nodes(
     let bias = LINE_BIAS as f32 * spacing + 2.0;
     for seen in [false, true] {
         for kind in [NodeKind::Junction, NodeKind::Corner, NodeKind::End, NodeKind::Apex] {
+            let size = if kind == NodeKind::End { 0.75 * pen } else { pen };
             let mut rim = Mask::new(picture.width, picture.height);
             let mut dots = Mask::new(picture.width, picture.height);
             for node in network.nodes.iter().filter(|n| n.kind == kind) {
                 let at = camera.project(node.position);
                 if is_visible(at, surface, bias) == seen {
                     let center = [at[0] / FINE as f32, at[1] / FINE as f32];
-                    rim.disc(center, if seen { 1.75 * pen } else { 0.0 });
-                    dots.disc(center, if seen { 1.3 * pen } else { 0.9 * pen });
+                    rim.disc(center, if seen { 1.75 * size } else { 0.0 });
+                    dots.disc(center, if seen { 1.3 * size } else { 0.9 * size });
                 }
             }
             rim.paint(picture, WHITE, if seen { 1.0 } else { 0.0 });
