@@ -18,19 +18,20 @@ pub fn observed(cloud: &Cloud, params: &Params, quiet: bool) -> Result<Extractio
     }
     let line = hidden_line();
     let (done, is_done) = channel::<()>();
-    std::thread::scope(|scope| {
-        scope.spawn(|| {
+    let watched = &line;
+    let result = std::thread::scope(|scope| {
+        scope.spawn(move || {
             if is_done.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
-                line.set_draw_target(ProgressDrawTarget::stderr());
-                line.enable_steady_tick(TICK);
+                watched.set_draw_target(ProgressDrawTarget::stderr());
+                watched.enable_steady_tick(TICK);
             }
         });
         let result = extract_observed(cloud, params, &|progress| line.set_message(text(progress)));
         drop(done);
         result
-    })
-    .inspect(|_| line.finish_and_clear())
-    .inspect_err(|_| line.finish_and_clear())
+    });
+    line.finish_and_clear();
+    result
 }
 
 fn hidden_line() -> ProgressBar {

@@ -49,7 +49,7 @@ pub fn render(scene: &Scene, settings: &Settings) -> Result<Picture, Error> {
     let fine = tone::shaded(&projected, &surface, spacing);
     let mut picture = tone::averaged(&fine, settings.width, settings.height, FINE);
     if let Some(network) = scene.network {
-        let pen = (settings.width.min(settings.height) as f32 / 420.0).clamp(1.2, 8.0);
+        let pen = (settings.width.min(settings.height) as f32 / 420.0).clamp(1.5, 8.0);
         draw_strips(network, &camera, &surface, spacing, pen, &mut picture);
         draw_nodes(network, &camera, &surface, spacing, pen, &mut picture);
     }
