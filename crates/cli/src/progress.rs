@@ -1,44 +1,53 @@
-//! A bar on the terminal while work is long.
+//! What the program is at, on the terminal, while work is long.
 
 use std::io::IsTerminal;
-use std::sync::{Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lineament::{Cloud, Error, Extraction, Params, Progress, extract, extract_observed};
 
 /// Work shorter than this shows nothing.
 const PATIENCE: Duration = Duration::from_millis(700);
-const STEPS: u64 = 1000;
+const TICK: Duration = Duration::from_millis(120);
 
-/// Extracts the lines with a bar on standard error, if that is a terminal and the user has not asked for quiet.
+/// Extracts the lines. On a terminal, and unless the user has asked for quiet, standard error shows the stage.
 pub fn observed(cloud: &Cloud, params: &Params, quiet: bool) -> Result<Extraction, Error> {
     if quiet || !std::io::stderr().is_terminal() {
         return extract(cloud, params);
     }
-    let start = Instant::now();
-    let bar: Mutex<Option<ProgressBar>> = Mutex::new(None);
-    let result = extract_observed(cloud, params, &|progress: Progress| {
-        if start.elapsed() >= PATIENCE {
-            let mut bar = bar.lock().unwrap_or_else(PoisonError::into_inner);
-            show(bar.get_or_insert_with(new_bar), progress);
-        }
+    let line = hidden_line();
+    let (done, is_done) = channel::<()>();
+    let watched = &line;
+    let result = std::thread::scope(|scope| {
+        scope.spawn(move || {
+            if is_done.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+                watched.set_draw_target(ProgressDrawTarget::stderr());
+                watched.enable_steady_tick(TICK);
+            }
+        });
+        let result = extract_observed(cloud, params, &|progress| line.set_message(text(progress)));
+        drop(done);
+        result
     });
-    if let Some(bar) = bar.into_inner().unwrap_or_else(PoisonError::into_inner) {
-        bar.finish_and_clear();
-    }
+    line.finish_and_clear();
     result
 }
 
-fn new_bar() -> ProgressBar {
-    let bar = ProgressBar::with_draw_target(Some(STEPS), ProgressDrawTarget::stderr());
-    if let Ok(style) = ProgressStyle::with_template("{msg:>12} [{bar:40}] {elapsed}") {
-        bar.set_style(style.progress_chars("=> "));
+fn hidden_line() -> ProgressBar {
+    let line = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
+    match ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
+        Ok(style) => line.with_style(style),
+        Err(_) => line,
     }
-    bar
 }
 
-fn show(bar: &ProgressBar, progress: Progress) {
-    bar.set_message(progress.stage.name());
-    bar.set_position((progress.done.clamp(0.0, 1.0) * STEPS as f64) as u64);
+/// The stage, with the share done where it is known.
+fn text(progress: Progress) -> String {
+    let name = progress.stage.name();
+    if progress.done > 0.0 && progress.done < 1.0 {
+        format!("{name} {:.0} %", 100.0 * progress.done)
+    } else {
+        name.into()
+    }
 }

@@ -135,3 +135,17 @@ fn an_interrupt_is_130_and_leaves_no_file() {
     assert_eq!(child.wait().unwrap().code(), Some(130));
     assert_eq!(sandbox.files(), [""; 0]);
 }
+
+#[test]
+fn help_and_readme_list_the_same_exit_codes() {
+    let sandbox = Sandbox::new();
+    let help = sandbox.run(&["--help"]).expect(0).text();
+    let readme = include_str!("../../../README.md");
+    let section = help.split("Exit codes:\n").nth(1).unwrap();
+    let codes: Vec<(&str, &str)> = section.lines().filter_map(|l| l.trim().split_once(' ')).collect();
+    assert_eq!(codes.len(), 7);
+    for (code, meaning) in codes {
+        let row = format!("| {code} | {} |", meaning.trim());
+        assert!(readme.contains(&row), "{row}");
+    }
+}

@@ -49,7 +49,7 @@ pub fn render(scene: &Scene, settings: &Settings) -> Result<Picture, Error> {
     let fine = tone::shaded(&projected, &surface, spacing);
     let mut picture = tone::averaged(&fine, settings.width, settings.height, FINE);
     if let Some(network) = scene.network {
-        let pen = (settings.width.min(settings.height) as f32 / 420.0).clamp(1.2, 8.0);
+        let pen = (settings.width.min(settings.height) as f32 / 420.0).clamp(1.5, 8.0);
         draw_strips(network, &camera, &surface, spacing, pen, &mut picture);
         draw_nodes(network, &camera, &surface, spacing, pen, &mut picture);
     }
@@ -123,14 +123,15 @@ fn draw_nodes(
     let bias = LINE_BIAS as f32 * spacing + 2.0;
     for seen in [false, true] {
         for kind in [NodeKind::Junction, NodeKind::Corner, NodeKind::End, NodeKind::Apex] {
+            let size = if kind == NodeKind::End { 0.75 * pen } else { pen };
             let mut rim = Mask::new(picture.width, picture.height);
             let mut dots = Mask::new(picture.width, picture.height);
             for node in network.nodes.iter().filter(|n| n.kind == kind) {
                 let at = camera.project(node.position);
                 if is_visible(at, surface, bias) == seen {
                     let center = [at[0] / FINE as f32, at[1] / FINE as f32];
-                    rim.disc(center, if seen { 1.75 * pen } else { 0.0 });
-                    dots.disc(center, if seen { 1.3 * pen } else { 0.9 * pen });
+                    rim.disc(center, if seen { 1.75 * size } else { 0.0 });
+                    dots.disc(center, if seen { 1.3 * size } else { 0.9 * size });
                 }
             }
             rim.paint(picture, WHITE, if seen { 1.0 } else { 0.0 });
