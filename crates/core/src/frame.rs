@@ -9,7 +9,8 @@ use rayon::prelude::*;
 
 use crate::cloud::Cloud;
 use crate::error::Error;
-use morton::{Entry, Grid};
+use morton::Grid;
+use order::Ordered;
 
 /// Squares of coordinate differences beyond this extent could overflow.
 const EXTENT_LIMIT: f64 = 1e150;
@@ -58,16 +59,13 @@ impl Frame {
         }
         let bounds = Bounds::of(points);
         let grid = Grid::new(bounds.corner(), bounds.extent()?);
-        let (entries, levels) = order::canonical(&grid, points);
+        let Ordered { relative: mut positions, mut source, levels } = order::canonical(&grid, points);
         let frame = Frame { offset: grid.offset, scale: grid.spacing(&levels) };
         let to_local = 1.0 / frame.scale;
-        let place = |&e: &Entry| grid.relative(points[morton::index(e) as usize]).map(|x| x * to_local);
-        let mut positions: Vec<[f64; 3]> = entries.par_iter().map(place).collect();
-        let mut source: Vec<u32> = entries.par_iter().map(|&e| morton::index(e)).collect();
-        let (dropped, finite) = (points.len() - entries.len(), entries.len());
-        drop(entries);
+        positions.par_iter_mut().for_each(|p| *p = p.map(|x| x * to_local));
+        let finite = positions.len();
         let canonical = merge(&mut positions, &mut source, points.len());
-        let merged = finite - positions.len();
+        let (dropped, merged) = (points.len() - finite, finite - positions.len());
         Ok(Localised { frame, positions, source, canonical, dropped, merged })
     }
 

@@ -74,7 +74,7 @@ pub fn all_nearest_with(positions: &[[f64; 3]], k: usize, instructions: Instruct
         let blocks = indices.par_chunks_mut(BLOCK * k).enumerate();
         blocks.for_each(|(b, lists)| engine.block(b, lists));
     }
-    let offsets = (0..=positions.len() as u64).map(|i| i * k as u64).collect();
+    let offsets = (0..=positions.len() as u64).into_par_iter().map(|i| i * k as u64).collect();
     Neighbors { offsets, indices }
 }
 

@@ -1,8 +1,5 @@
 //! Morton order of points, as deep as their coordinates differ, and the spacing that the order tells.
 
-/// A Morton code and the index of its point, in one number that sorts by both.
-pub(super) type Entry = u128;
-
 /// Bits an axis in one code.
 pub(super) const BITS: u32 = 21;
 /// Codes a point can have, each refining the cell of the one before. Past them positions are compared.
@@ -12,11 +9,6 @@ pub(super) const LEVELS: usize = (BITS * DEPTHS) as usize;
 /// How many neighbours in the order first differ at a level: `[l]` counts pairs that share a cell at level `l`
 /// but not at `l + 1`.
 pub(super) type Levels = [usize; LEVELS + 1];
-
-/// The index of an entry's point in the input.
-pub(super) fn index(entry: Entry) -> u32 {
-    entry as u32
-}
 
 /// Whether all three coordinates are finite.
 pub(super) fn finite(p: &[f64; 3]) -> bool {
@@ -47,21 +39,15 @@ impl Grid {
         std::array::from_fn(|a| (p[a] - self.offset[a]) + 0.0)
     }
 
-    /// The code of a point at a depth: cells of `21 * (depth + 1)` levels. Every step is exact.
+    /// The code at a depth of a point by its vector from the least corner: cells of `21 * (depth + 1)` levels. Every step is exact.
     #[inline]
-    fn code(&self, p: [f64; 3], depth: u32) -> u64 {
-        let mut x = self.relative(p).map(|x| x * self.to_cell);
+    pub(super) fn code(&self, relative: [f64; 3], depth: u32) -> u64 {
+        let mut x = relative.map(|x| x * self.to_cell);
         for _ in 0..depth {
             x = x.map(|x| (x - x.floor()) * f64::from(1u32 << BITS));
         }
         let [x, y, z] = x.map(|x| spread(x as u64));
         x << 2 | y << 1 | z
-    }
-
-    /// The entry of a point, with its code at a depth.
-    #[inline]
-    pub(super) fn entry(&self, points: &[[f64; 3]], index: u32, depth: u32) -> Entry {
-        Entry::from(self.code(points[index as usize], depth)) << 32 | Entry::from(index)
     }
 
     /// A power of two near the mean spacing: half the side of the finest cells that hold two or more points on

@@ -1,4 +1,10 @@
 //! The search for the neighbours of all points: one walk through the hierarchy serves the sixteen points of a leaf.
+//!
+//! The walk goes from the leaf up to the root and, beside that path, down into whatever is near, near boxes first.
+//! Boxes are compared with the box of the leaf; a leaf reached is compared with each of the sixteen points, and
+//! its points only with those that it can matter to. All distances are f64: half of the vector width is lost that
+//! way, but distances are a small part of the time (insertion into the lists is the greatest), and nothing has to
+//! be searched twice because of rounding.
 
 use super::index::{Aabb, Index, Leaf, Node, WIDTH};
 use super::kernel::{Kernel, Portable};

@@ -1,4 +1,8 @@
 //! The search structure: leaves of 16 points under a 16-wide implicit hierarchy of bounding boxes.
+//!
+//! Blocks of consecutive points, which Morton order keeps together, are divided into leaves like a k-d tree. That
+//! costs 30 ns a point; leaves of sixteen consecutive points, tried first, have looser boxes, and searching them
+//! costs 70 ns a point more.
 
 use rayon::prelude::*;
 
@@ -44,23 +48,21 @@ impl Index {
     /// Over `positions`, `(N, 3)` f64, finite, less than 1e150 apart. In canonical order leaves are compact and
     /// searches fast; any other order gives the same results.
     pub fn build(positions: &[[f64; 3]]) -> Index {
-        let mut leaves = vec![Leaf::EMPTY; positions.len().div_ceil(WIDTH)];
-        let mut boxes = vec![Aabb::EMPTY; leaves.len()];
+        let count = positions.len().div_ceil(WIDTH);
+        // Filled by all threads, since the first touch of new memory is what costs.
+        let mut leaves: Vec<Leaf> = (0..count).into_par_iter().map(|_| Leaf::EMPTY).collect();
+        let mut boxes = vec![Aabb::EMPTY; count];
         let blocks = positions.par_chunks(BLOCK).zip(leaves.par_chunks_mut(BLOCK / WIDTH));
-        blocks.zip(boxes.par_chunks_mut(BLOCK / WIDTH)).enumerate().for_each(
-            |(b, ((points, leaves), boxes))| {
-                let mut sites: Vec<Site> = points
-                    .iter()
-                    .enumerate()
-                    .map(|(i, &at)| Site { at, id: (b * BLOCK + i) as u32 })
-                    .collect();
-                split(&mut sites, leaves, boxes);
-            },
-        );
+        let blocks = blocks.zip(boxes.par_chunks_mut(BLOCK / WIDTH)).enumerate();
+        blocks.for_each(|(b, ((points, leaves), boxes))| {
+            let ids = (b * BLOCK) as u32..;
+            let mut sites: Vec<Site> = points.iter().zip(ids).map(|(&at, id)| Site { at, id }).collect();
+            split(&mut sites, leaves, boxes);
+        });
         let mut levels: Vec<Vec<Node>> = Vec::new();
         while boxes.len() > 1 || levels.is_empty() {
-            let nodes: Vec<Node> = boxes.chunks(WIDTH).map(Node::new).collect();
-            boxes = boxes.chunks(WIDTH).map(Aabb::union).collect();
+            let nodes: Vec<Node> = boxes.par_chunks(WIDTH).map(Node::new).collect();
+            boxes = boxes.par_chunks(WIDTH).map(Aabb::union).collect();
             levels.push(nodes);
             if boxes.is_empty() {
                 break;

@@ -125,6 +125,9 @@ fn join(nearest: &Neighbors, rows: &[Rows], size: usize) -> Neighbors {
 
 /// Memory of a breadth-first search, used again and again without clearing: a point is known as visited by the
 /// number of the search that last came by.
+///
+/// It takes 4 bytes a point, one for each thread: fine up to some 10^8 points. Beyond, a hash set of the size of a
+/// neighbourhood would be the better memory.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
     visited: Vec<u32>,
@@ -136,25 +139,22 @@ impl Neighbors {
     /// The points at graph distance 1 to `depth` from point `i`, nearer ones first, in the order of the lists.
     pub fn hops<'s>(&self, i: usize, depth: usize, scratch: &'s mut Scratch) -> &'s [u32] {
         scratch.begin(self.len());
-        scratch.visit(i as u32);
-        let mut ring = 0..0;
-        for hop in 0..depth {
+        scratch.add(i as u32);
+        let mut ring = 0..1;
+        for _ in 0..depth {
             let end = scratch.found.len();
-            let range = ring.clone();
-            if hop == 0 {
-                self.of(i).iter().for_each(|&j| scratch.add(j));
-            }
-            for f in range {
+            for f in ring {
                 let from = scratch.found[f] as usize;
                 self.of(from).iter().for_each(|&j| scratch.add(j));
             }
             ring = end..scratch.found.len();
         }
-        &scratch.found
+        &scratch.found[1..]
     }
 }
 
 impl Scratch {
+    /// Starts a search in a graph of `count` points.
     fn begin(&mut self, count: usize) {
         if self.visited.len() != count || self.search == u32::MAX {
             self.visited = vec![0; count];
@@ -164,15 +164,11 @@ impl Scratch {
         self.found.clear();
     }
 
-    fn visit(&mut self, j: u32) -> bool {
-        let seen = &mut self.visited[j as usize];
-        let new = *seen != self.search;
-        *seen = self.search;
-        new
-    }
-
+    /// Takes a point that has not been found in this search.
     fn add(&mut self, j: u32) {
-        if self.visit(j) {
+        let seen = &mut self.visited[j as usize];
+        if *seen != self.search {
+            *seen = self.search;
             self.found.push(j);
         }
     }

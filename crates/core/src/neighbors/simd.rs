@@ -1,6 +1,6 @@
 //! The inner loops in vector instructions: the one module of the library with `unsafe` code.
 //!
-//! What is unsafe here is of three kinds. A function compiled for AVX-512 or AVX2 is called: each type below can
+//! What is unsafe here is of two kinds. A function compiled for AVX-512 or AVX2 is called: each type below can
 //! only be made by `detect`, after the processor was asked. Vectors are loaded from and stored to arrays: always
 //! whole arrays of known length, through `load` and `store`.
 
