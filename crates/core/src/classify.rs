@@ -28,7 +28,8 @@ pub fn classes(points: &[[f64; 3]], network: &Network, resolution: Resolution) -
             index.within(middle, radius, &mut found);
             for f in &found {
                 let own = &mut classes[f.index as usize];
-                if *own == Class::Smooth && segment_distance2(points[f.index as usize], a, b) <= reach * reach {
+                if *own == Class::Smooth && segment_distance2(points[f.index as usize], a, b) <= reach * reach
+                {
                     *own = class;
                 }
             }

@@ -152,12 +152,18 @@ pub fn extract_observed(
 impl Extraction {
     /// `(N)` the class of every point of the input, in its order; dropped points are smooth.
     pub fn classes(&self) -> Vec<Class> {
-        self.canonical.iter().map(|&c| self.measure.class.get(c as usize).copied().unwrap_or_default()).collect()
+        self.canonical
+            .iter()
+            .map(|&c| self.measure.class.get(c as usize).copied().unwrap_or_default())
+            .collect()
     }
 
     /// `(N)` the score of every point of the input, in its order, 0 to 1; NaN for dropped points.
     pub fn scores(&self) -> Vec<f32> {
-        self.canonical.iter().map(|&c| self.measure.score.get(c as usize).copied().unwrap_or(f32::NAN)).collect()
+        self.canonical
+            .iter()
+            .map(|&c| self.measure.score.get(c as usize).copied().unwrap_or(f32::NAN))
+            .collect()
     }
 }
 
@@ -196,7 +202,10 @@ fn settings(params: &Params, resolution: Resolution, reach: crate::link::Reach) 
     vec![
         ("penalty.hops".into(), derived.hops.to_string()),
         ("penalty.alpha".into(), format!("{:.3}", derived.alpha)),
-        ("spanning.rho".into(), format!("{:.1} {}", reach.rho, if reach.in_edges { "edges" } else { "spacings" })),
+        (
+            "spanning.rho".into(),
+            format!("{:.1} {}", reach.rho, if reach.in_edges { "edges" } else { "spacings" }),
+        ),
     ]
 }
 

@@ -79,8 +79,7 @@ fn strip(
     }
     let options = FitOptions { span: span(params, resolution), smoothing: 0.1, closed: ends.is_none() };
     let (curve, parameters) = fit(&positions, options);
-    let squares: f64 =
-        positions.iter().zip(&parameters).map(|(&p, &t)| distance2(p, curve.point(t))).sum();
+    let squares: f64 = positions.iter().zip(&parameters).map(|(&p, &t)| distance2(p, curve.point(t))).sum();
     let penalty: f64 = path.vertices.iter().map(|&v| f64::from(lines.penalty[v as usize])).sum();
     let mut sources: Vec<u32> = path.vertices.iter().map(|&v| lines.points[v as usize]).collect();
     sources.dedup();

@@ -51,12 +51,7 @@ fn mean_distance(points: &[[f64; 3]], i: usize, nearest: &[u32]) -> f64 {
 }
 
 /// The [`QUANTILE`] over the chosen points of the plane residual, unbiased for the three parameters of the plane.
-fn residual_quantile(
-    points: &[[f64; 3]],
-    nearest: &Neighbors,
-    chosen: &[usize],
-    size: usize,
-) -> Option<f64> {
+fn residual_quantile(points: &[[f64; 3]], nearest: &Neighbors, chosen: &[usize], size: usize) -> Option<f64> {
     let mut residuals: Vec<f64> = chosen
         .par_iter()
         .filter(|&&i| nearest.of(i).len() >= size - 1)

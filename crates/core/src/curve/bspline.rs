@@ -78,7 +78,8 @@ impl BSpline {
         } else {
             t.clamp(first, last)
         };
-        let (low, high) = if self.periodic { (0, self.controls.len()) } else { (self.degree, self.controls.len()) };
+        let (low, high) =
+            if self.periodic { (0, self.controls.len()) } else { (self.degree, self.controls.len()) };
         let inner = &self.knots[low..=high];
         let at = inner.partition_point(|&k| k <= t).clamp(1, inner.len() - 1) - 1;
         (t, (low + at) as isize)
@@ -124,7 +125,8 @@ mod tests {
 
     #[test]
     fn a_periodic_curve_closes_with_continuous_slope() {
-        let controls = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.5, -0.5, 0.3]];
+        let controls =
+            vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.5, -0.5, 0.3]];
         let knots = vec![0.0, 1.0, 2.5, 3.0, 4.0, 5.0];
         let curve = BSpline { degree: 3, knots, controls, periodic: true };
         let slope = |t: f64| {

@@ -154,8 +154,10 @@ mod tests {
 
     #[test]
     fn a_circle_of_points_gives_a_circle() {
-        let points: Vec<[f64; 3]> =
-            (0..60).map(|i| (i as f64 * std::f64::consts::TAU / 60.0).sin_cos()).map(|(s, c)| [5.0 * c, 5.0 * s, 1.0]).collect();
+        let points: Vec<[f64; 3]> = (0..60)
+            .map(|i| (i as f64 * std::f64::consts::TAU / 60.0).sin_cos())
+            .map(|(s, c)| [5.0 * c, 5.0 * s, 1.0])
+            .collect();
         let (curve, _) = fit(&points, FitOptions { span: 3.0, smoothing: 1e-6, closed: true });
         for i in 0..500 {
             let [x, y, z] = curve.point(curve.domain().1 * i as f64 / 500.0);
@@ -176,7 +178,8 @@ mod tests {
 
     #[test]
     fn two_points_give_a_segment() {
-        let (curve, _) = fit(&[[0.0; 3], [1.0, 0.0, 0.0]], FitOptions { span: 3.0, smoothing: 0.01, closed: false });
+        let (curve, _) =
+            fit(&[[0.0; 3], [1.0, 0.0, 0.0]], FitOptions { span: 3.0, smoothing: 0.01, closed: false });
         assert_eq!(curve.degree, 1);
         assert_eq!(curve.point(0.5), [0.5, 0.0, 0.0]);
     }

@@ -35,13 +35,16 @@ pub fn consensus_normals(
         .map_init(Scratch::default, |scratch, i| {
             let near = graph.of(i);
             let all = graph.hops(i, hops, scratch);
-            let candidates = [&near[..near.len().min(NEAREST)], all].map(|set| ellipsoid(points, i, set).axes.vectors[0]);
+            let candidates =
+                [&near[..near.len().min(NEAREST)], all].map(|set| ellipsoid(points, i, set).axes.vectors[0]);
             best(points, i, all, rate, candidates.into_iter()).map(|x| x as f32)
         })
         .collect();
     blocks()
         .map_init(Scratch::default, |scratch, i| {
-            let planes = std::iter::once(i).chain(graph.of(i).iter().map(|&j| j as usize)).map(|j| own[j].map(f64::from));
+            let planes = std::iter::once(i)
+                .chain(graph.of(i).iter().map(|&j| j as usize))
+                .map(|j| own[j].map(f64::from));
             let all = graph.hops(i, hops, scratch);
             let mut normal = best(points, i, all, rate, planes);
             for _ in 0..REFINEMENTS {

@@ -37,23 +37,24 @@ pub fn normals(points: &[[f64; 3]], graph: &Neighbors, hops: usize, resolution: 
 fn pass(points: &[[f64; 3]], graph: &Neighbors, hops: usize, scale: Resolution, from: &Normals) -> Normals {
     let angle_rate = 1.0 / (1.0 - GATE_DEG.to_radians().cos());
     let offset_rate = 0.5 / tolerance(scale).powi(2);
-    let rows = (0..points.len()).into_par_iter().with_min_len(1024).map_init(Scratch::default, |scratch, i| {
-        let own = from.vectors[i].map(f64::from);
-        let (mut sum, mut total) = (own, 1.0);
-        let neighbors = graph.hops(i, hops, scratch);
-        for &j in neighbors {
-            let other = from.vectors[j as usize].map(f64::from);
-            let cosine = dot(own, other);
-            let offset = dot(own, sub(points[j as usize], points[i]));
-            let exponent = (1.0 - cosine.abs()) * angle_rate + offset * offset * offset_rate;
-            if exponent < 8.0 {
-                let weight = (-exponent).exp();
-                sum = add_scaled(sum, other, weight * cosine.signum());
-                total += weight;
+    let rows =
+        (0..points.len()).into_par_iter().with_min_len(1024).map_init(Scratch::default, |scratch, i| {
+            let own = from.vectors[i].map(f64::from);
+            let (mut sum, mut total) = (own, 1.0);
+            let neighbors = graph.hops(i, hops, scratch);
+            for &j in neighbors {
+                let other = from.vectors[j as usize].map(f64::from);
+                let cosine = dot(own, other);
+                let offset = dot(own, sub(points[j as usize], points[i]));
+                let exponent = (1.0 - cosine.abs()) * angle_rate + offset * offset * offset_rate;
+                if exponent < 8.0 {
+                    let weight = (-exponent).exp();
+                    sum = add_scaled(sum, other, weight * cosine.signum());
+                    total += weight;
+                }
             }
-        }
-        (unit(sum).map(|x| x as f32), (total / (neighbors.len() + 1) as f64) as f32)
-    });
+            (unit(sum).map(|x| x as f32), (total / (neighbors.len() + 1) as f64) as f32)
+        });
     let (vectors, support) = rows.unzip();
     Normals { vectors, support }
 }

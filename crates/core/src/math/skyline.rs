@@ -106,7 +106,8 @@ mod tests {
     #[test]
     fn a_banded_matrix_with_a_full_row_is_solved() {
         let n = 9;
-        let first = (0..n).map(|i: usize| if i == n - 1 { 0 } else { i.saturating_sub(2) }).collect::<Vec<_>>();
+        let first =
+            (0..n).map(|i: usize| if i == n - 1 { 0 } else { i.saturating_sub(2) }).collect::<Vec<_>>();
         let mut m = Skyline::zeros(first.clone());
         let mut dense = vec![vec![0.0; n]; n];
         for i in 0..n {
@@ -118,8 +119,9 @@ mod tests {
             }
         }
         let truth: Vec<[f64; 3]> = (0..n).map(|i| [i as f64, 1.0, -(i as f64) * 0.5]).collect();
-        let mut b: Vec<[f64; 3]> =
-            (0..n).map(|i| std::array::from_fn(|c| (0..n).map(|j| dense[i][j] * truth[j][c]).sum())).collect();
+        let mut b: Vec<[f64; 3]> = (0..n)
+            .map(|i| std::array::from_fn(|c| (0..n).map(|j| dense[i][j] * truth[j][c]).sum()))
+            .collect();
         assert!(m.factorise());
         m.solve(&mut b);
         for (x, y) in b.iter().flatten().zip(truth.iter().flatten()) {

@@ -179,7 +179,10 @@ mod tests {
     #[test]
     fn a_value_outside_its_range_is_refused_with_key_and_range() {
         let error = Params::default().set("neighbors.k", "3").unwrap_err().to_string();
-        assert!(error.contains("neighbors.k") && error.contains("`3`") && error.contains("from 4 to 64"), "{error}");
+        assert!(
+            error.contains("neighbors.k") && error.contains("`3`") && error.contains("from 4 to 64"),
+            "{error}"
+        );
         let mut params = Params::default();
         params.neighbors.k = 1000;
         assert!(params.check().is_err());

@@ -30,7 +30,8 @@ pub fn meet(lines: &LineGraph, paths: Vec<Path>, resolution: Resolution) -> (Vec
             sets.union(a, b);
         }
     }
-    let mut members: Vec<(u32, u32)> = paths.iter().filter_map(|p| p.ends).flatten().map(|v| (sets.find(v), v)).collect();
+    let mut members: Vec<(u32, u32)> =
+        paths.iter().filter_map(|p| p.ends).flatten().map(|v| (sets.find(v), v)).collect();
     members.sort_unstable();
     members.dedup();
     let groups: Vec<&[(u32, u32)]> = members.chunk_by(|a, b| a.0 == b.0).collect();

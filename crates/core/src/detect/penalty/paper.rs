@@ -34,7 +34,9 @@ pub fn penalties(
     let rows: Vec<Point> = (0..points.len())
         .into_par_iter()
         .with_min_len(1024)
-        .map_init(Default::default, |(scratch, angles), i| point(points, graph, derived.hops, i, scratch, angles))
+        .map_init(Default::default, |(scratch, angles), i| {
+            point(points, graph, derived.hops, i, scratch, angles)
+        })
         .collect();
     let greatest = rows.iter().map(|r| r.curvature).fold(0.0, f64::max);
     let mut measure = Measure {
@@ -49,11 +51,21 @@ pub fn penalties(
         measure.score.push((1.0 - curvature) as f32);
         measure.normal.push(single(row.normal));
         let foot = points[i];
-        let crease =
-            Row { scalar: curvature as f32, vector: single(row.crease), corner: row.corner as f32, foot, evidence: 0.0 };
+        let crease = Row {
+            scalar: curvature as f32,
+            vector: single(row.crease),
+            corner: row.corner as f32,
+            foot,
+            evidence: 0.0,
+        };
         measure.crease.push(i as u32, crease);
-        let border =
-            Row { scalar: row.opening as f32, vector: single(row.border), corner: f32::INFINITY, foot, evidence: 0.0 };
+        let border = Row {
+            scalar: row.opening as f32,
+            vector: single(row.border),
+            corner: f32::INFINITY,
+            foot,
+            evidence: 0.0,
+        };
         measure.border.push(i as u32, border);
     }
     measure

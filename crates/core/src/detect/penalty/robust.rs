@@ -73,7 +73,9 @@ pub fn penalties(
     let rows: Vec<Point> = (0..points.len())
         .into_par_iter()
         .with_min_len(1024)
-        .map_init(Default::default, |(scratch, angles, section), i| context.point(i, scratch, angles, section))
+        .map_init(Default::default, |(scratch, angles, section), i| {
+            context.point(i, scratch, angles, section)
+        })
         .collect();
     let mut measure = Measure {
         crease: Penalties { share: derived.alpha, direction: Direction::Across, ..Default::default() },
@@ -134,7 +136,15 @@ impl Context<'_> {
         (eigen3(&tensor.map(|x| x * inverse)), scale(pull, inverse))
     }
 
-    fn crease(&self, i: usize, tensor: &Eigen3, pull: [f64; 3], penalty: f64, wide: &[u32], section: &mut CrossSection) -> Row {
+    fn crease(
+        &self,
+        i: usize,
+        tensor: &Eigen3,
+        pull: [f64; 3],
+        penalty: f64,
+        wide: &[u32],
+        section: &mut CrossSection,
+    ) -> Row {
         let [least, middle, _] = tensor.values.map(|x| x.max(0.0));
         let corner = least.sqrt() > self.least_fold;
         let mut shift = [0.0; 3];
@@ -175,7 +185,8 @@ impl Context<'_> {
         }
         let lean = [dot(centre, middle) / count, dot(centre, most) / count];
         let blunt = tensor.values[1] < 0.3 * tensor.values[2];
-        let (up, across) = if blunt || lean[1].abs() >= lean[0].abs() { (most, middle) } else { (middle, most) };
+        let (up, across) =
+            if blunt || lean[1].abs() >= lean[0].abs() { (most, middle) } else { (middle, most) };
         section.clear();
         for j in wide.iter().map(|&j| j as usize).chain([i]) {
             let d = sub(self.points[j], foot);
