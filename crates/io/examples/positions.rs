@@ -6,7 +6,17 @@ use std::io::Write;
 use std::path::Path;
 use std::time::Instant;
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+fn main() -> std::process::ExitCode {
+    match run() {
+        Ok(()) => std::process::ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            std::process::ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), Box<dyn std::error::Error>> {
     let mut inputs: Vec<String> = std::env::args().skip(1).collect();
     let to = inputs.iter().position(|a| a == "--to").map(|at| inputs.split_off(at));
     let mut positions = Vec::new();

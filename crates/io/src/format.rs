@@ -17,10 +17,12 @@ pub enum Format {
     Obj,
     /// Point cloud data, ascii, binary or compressed.
     Pcd,
+    /// LAS and LAZ, and COPC, which is LAZ.
+    Las,
 }
 
 /// Format, name in messages, extensions.
-const FORMATS: [(Format, &str, &[&str]); 4] = [
+const FORMATS: [(Format, &str, &[&str]); 5] = [
     (Format::Ply, "PLY", &["ply"]),
     (
         Format::Table,
@@ -29,11 +31,11 @@ const FORMATS: [(Format, &str, &[&str]); 4] = [
     ),
     (Format::Obj, "OBJ", &["obj"]),
     (Format::Pcd, "PCD", &["pcd"]),
+    (Format::Las, "LAS", &["las", "laz"]),
 ];
 
 /// What begins with these bytes is a known format that this version does not read.
-const FOREIGN: [(&[u8], &str); 6] = [
-    (b"LASF", "LAS or LAZ"),
+const FOREIGN: [(&[u8], &str); 5] = [
     (b"ASTM-E57", "E57"),
     (b"\x93NUMPY", "NPY"),
     (b"PAR1", "Parquet"),
@@ -101,6 +103,9 @@ fn by_magic(start: &[u8]) -> Option<Format> {
     if word(b"ply") {
         return Some(Format::Ply);
     }
+    if start.starts_with(b"LASF") {
+        return Some(Format::Las);
+    }
     if start.starts_with(b"# .PCD") || [b"VERSION" as &[u8], b"FIELDS", b"COLUMNS"].into_iter().any(word) {
         return Some(Format::Pcd);
     }
@@ -118,7 +123,7 @@ fn by_text(start: &[u8], named: Option<Format>) -> Option<Format> {
     match statement {
         Some(word) if OBJ_KEYWORDS.contains(&word) => Some(Format::Obj),
         None if named == Some(Format::Obj) => Some(Format::Obj),
-        Some(_) if matches!(named, Some(Format::Ply | Format::Pcd)) => None,
+        Some(_) if matches!(named, Some(Format::Ply | Format::Pcd | Format::Las)) => None,
         _ => Some(Format::Table),
     }
 }

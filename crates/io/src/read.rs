@@ -1,5 +1,5 @@
 //! From an input to a cloud: opening, recognising, dispatching.
-
+mod las;
 mod limit;
 mod obj;
 mod pcd;
@@ -51,6 +51,10 @@ pub struct Scan {
     pub ignored: Vec<String>,
     /// What is missing of an input that ended early; only with `ReadOptions::salvage`.
     pub missing: Option<Missing>,
+    /// The coordinate reference system by its name or as `EPSG:` and a code, where the input states one.
+    pub crs: Option<String>,
+    /// How a LAS or LAZ input stores its coordinates, for outputs that are to be like it.
+    pub las: Option<LasFrame>,
     /// SHA-256 of all bytes of the input in hexadecimal, if `ReadOptions::hash` asked for it.
     pub sha256: Option<String>,
     /// Bytes of the input.
@@ -81,6 +85,8 @@ pub(crate) struct Decoded {
     pub cloud: Cloud,
     pub ignored: Vec<String>,
     pub missing: Option<Missing>,
+    pub crs: Option<String>,
+    pub las: Option<LasFrame>,
 }
 
 impl Decoded {
@@ -101,6 +107,8 @@ impl Decoded {
     }
 }
 
+pub use las::{LasFrame, Record as LasRecord};
+
 /// Reads the point cloud in the file at `path`; `-` is standard input.
 ///
 /// # Errors
@@ -117,7 +125,7 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Scan, Error> {
         return Err(fail(std::io::Error::from(std::io::ErrorKind::IsADirectory)));
     }
     let length = Some(meta.len()).filter(|&length| meta.is_file() && length > 0);
-    decode(Source::new(Box::new(file), name, length, options.hash), options)
+    decode(Source::new(Box::new(file), name, length, options.hash).at(path), options)
 }
 
 /// Reads a point cloud from a stream. `name` stands for it in messages, and its extension may tell the format.
@@ -140,9 +148,10 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         Format::Table => table::read(&mut source, options)?,
         Format::Obj => obj::read(&mut source, options)?,
         Format::Pcd => pcd::read(&mut source, options)?,
+        Format::Las => las::read(&mut source, options)?,
     };
     source.drain()?;
-    let Decoded { cloud, ignored, missing } = decoded;
+    let Decoded { cloud, ignored, missing, crs, las } = decoded;
     let (sha256, bytes) = (source.sha256(), source.offset());
-    Ok(Scan { cloud, format, name, ignored, missing, sha256, bytes })
+    Ok(Scan { cloud, format, name, ignored, missing, crs, las, sha256, bytes })
 }

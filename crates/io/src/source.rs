@@ -2,10 +2,19 @@
 
 use crate::error::{Error, Place};
 use sha2::{Digest, Sha256};
-use std::io::Read;
+use std::fs::File;
+use std::io::{BufReader, Cursor, Read, Seek};
+use std::path::{Path, PathBuf};
 
 /// Bytes asked of the system at once: large enough to amortise the call, small enough to stay in cache.
 const BLOCK: usize = 1 << 18;
+
+/// An input that can be read at any place.
+pub(crate) type Input = Box<dyn ReadSeek>;
+
+/// What [`Input`] is made of.
+pub(crate) trait ReadSeek: Read + Seek + Send + Sync {}
+impl<T: Read + Seek + Send + Sync> ReadSeek for T {}
 
 /// A forward reader with lookahead. Offsets and lines in errors come from here.
 pub(crate) struct Source {
@@ -20,6 +29,10 @@ pub(crate) struct Source {
     length: Option<u64>,
     terminator: u8,
     hash: Option<Sha256>,
+    path: Option<PathBuf>,
+    /// What was consumed of a pipe since [`Source::keep`] asked for it.
+    kept: Vec<u8>,
+    keeping: bool,
 }
 
 impl Source {
@@ -38,7 +51,47 @@ impl Source {
             length,
             terminator: b'\n',
             hash,
+            path: None,
+            kept: Vec::new(),
+            keeping: false,
         }
+    }
+
+    /// Keeps what is consumed from now on if the input cannot be opened again, for [`Source::seekable`].
+    pub fn keep(&mut self) {
+        self.keeping = self.path.is_none();
+    }
+
+    /// Says where the input can be opened again.
+    pub fn at(mut self, path: &Path) -> Self {
+        self.path = self.length.map(|_| path.to_path_buf());
+        self
+    }
+
+    /// The whole input for reading at any place: the file once more, or, of a pipe, all its bytes.
+    pub fn seekable(&mut self) -> Result<Input, Error> {
+        if let Some(path) = &self.path {
+            let file = File::open(path);
+            let file =
+                file.map_err(|source| Error::Io { action: "open", name: self.name.clone(), source })?;
+            return Ok(Box::new(BufReader::with_capacity(BLOCK, file)));
+        }
+        self.keeping = false;
+        let mut all = std::mem::take(&mut self.kept);
+        loop {
+            let here = self.peek(1)?;
+            if here.is_empty() {
+                return Ok(Box::new(Cursor::new(all)));
+            }
+            all.extend_from_slice(here);
+            let count = here.len();
+            self.consume(count);
+        }
+    }
+
+    /// The error for a failed read of this input.
+    pub fn io(&self, source: std::io::Error) -> Error {
+        Error::Io { action: "read", name: self.name.clone(), source }
     }
 
     /// The name for messages.
@@ -75,6 +128,9 @@ impl Source {
     /// Moves past `count` bytes that were peeked at.
     pub fn consume(&mut self, count: usize) {
         let count = count.min(self.end - self.start);
+        if self.keeping {
+            self.kept.extend_from_slice(&self.buffer[self.start..self.start + count]);
+        }
         self.start += count;
         self.offset += count as u64;
     }

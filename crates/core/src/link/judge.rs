@@ -19,8 +19,7 @@ const WITHIN_JUNCTION: f64 = 3.0;
 /// Drops strips that are round, then what is left in pieces too short to be lines.
 pub fn judge(lines: &mut LineGraph, resolution: Resolution, reach: Reach) {
     loop {
-        let round: Vec<Path> =
-            paths(lines).into_iter().filter(|p| is_round(lines, p, resolution)).collect();
+        let round: Vec<Path> = paths(lines).into_iter().filter(|p| is_round(lines, p, resolution)).collect();
         if round.is_empty() {
             break;
         }

@@ -37,6 +37,19 @@ impl Table {
         }
     }
 
+    /// Makes room for `rows` more rows.
+    pub fn reserve(&mut self, rows: usize) {
+        self.positions.reserve_exact(rows);
+        for (_, attribute) in &mut self.columns {
+            crate::columns::each_column!(&mut attribute.values, values => values.reserve_exact(rows));
+        }
+    }
+
+    /// Bytes that a row takes in memory.
+    pub fn row_bytes(&self) -> usize {
+        24 + self.columns.iter().map(|(_, a)| Scalar::of(&a.values).size()).sum::<usize>()
+    }
+
     /// Appends one row from its values, indexed by field. The field whose type cannot hold its value is the error.
     pub fn push(&mut self, values: &[f64]) -> Result<(), usize> {
         for (index, attribute) in &mut self.columns {

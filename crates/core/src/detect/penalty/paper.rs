@@ -56,7 +56,9 @@ pub fn penalties(
             vector: single(row.crease),
             corner: row.corner as f32,
             foot,
-            evidence: 0.0, expected: 0.0, fold: 0.0,
+            evidence: 0.0,
+            expected: 0.0,
+            fold: 0.0,
         };
         measure.crease.push(i as u32, crease);
         let border = Row {
@@ -64,7 +66,9 @@ pub fn penalties(
             vector: single(row.border),
             corner: f32::INFINITY,
             foot,
-            evidence: 0.0, expected: 0.0, fold: 0.0,
+            evidence: 0.0,
+            expected: 0.0,
+            fold: 0.0,
         };
         measure.border.push(i as u32, border);
     }

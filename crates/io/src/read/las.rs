@@ -1,0 +1,101 @@
+//! LAS 1.0 to 1.4, all point formats, and LAZ, its compressed form (ASPRS LAS 1.4 R15; Isenburg 2013). COPC files are
+//! LAZ and read whole. Coordinates are `integer * scale + offset`, as the format defines them.
+
+mod header;
+mod laz;
+mod points;
+mod records;
+
+use super::rows::{Table, room};
+use super::{Decoded, ReadOptions};
+use crate::columns::Endian;
+use crate::error::Error;
+use crate::source::Source;
+use header::Header;
+use points::Dimension;
+
+pub use header::{LasFrame, Record};
+
+/// Reads a LAS or LAZ input from its first byte.
+pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
+    let header = header::parse(source)?;
+    if header.compressed {
+        source.keep();
+    }
+    let frame = records::read(source, &header)?;
+    let mut out = Decoded::default();
+    let dimensions = points::dimensions(source, &header, &frame)?;
+    let mut table = table(&dimensions, options);
+    let fields: Vec<_> = dimensions.iter().map(|d| d.field).collect();
+    let rows = if header.compressed {
+        laz::read(source, &header, &frame, options, &fields, &mut table)?
+    } else {
+        skip_to_points(source, &header)?;
+        let room = room(source, header.points, header.record_length as u64);
+        table.reserve(room);
+        let rows = table.read(source, header.points, header.record_length, &fields, Endian::Little)?;
+        note_rest(source, &header, rows, &mut out)?;
+        rows
+    };
+    if rows < header.points {
+        out.cut(source, options, "points", header.points, rows)?;
+    }
+    for point in &mut table.positions {
+        *point = std::array::from_fn(|axis| point[axis] * header.scale[axis] + header.offset[axis]);
+    }
+    note_bounds(&header, &table.positions, &mut out);
+    points::finish(&mut table, &dimensions);
+    out.cloud = table.into_cloud();
+    note(&header, &frame, options, &mut out);
+    out.crs = frame.crs();
+    out.las = Some(frame);
+    Ok(out)
+}
+
+fn table(dimensions: &[Dimension], options: &ReadOptions) -> Table {
+    let kept = dimensions.iter().enumerate().skip(3).filter(|_| options.attributes);
+    let attributes = kept.map(|(index, d)| (index, d.name.clone(), d.field.kind)).collect();
+    Table::new([0, 1, 2], attributes, 0)
+}
+
+fn skip_to_points(source: &mut Source, header: &Header) -> Result<(), Error> {
+    let gap = header.points_at.saturating_sub(source.offset());
+    if source.skip(gap)? < gap {
+        return Err(source.ends_early("bytes before the points", gap, 0));
+    }
+    Ok(())
+}
+
+/// Says how many points lie outside the bounds that the header states: a decoder cannot notice all damage.
+fn note_bounds(header: &Header, positions: &[[f64; 3]], out: &mut Decoded) {
+    let (low, high) = header.bounds;
+    let inside = |p: &&[f64; 3]| {
+        (0..3).all(|a| p[a] >= low[a] - header.scale[a].abs() && p[a] <= high[a] + header.scale[a].abs())
+    };
+    let outside = positions.len() - positions.iter().filter(inside).count();
+    if outside > 0 {
+        out.ignored.push(format!("the bounds in the header: {outside} points lie outside them"));
+    }
+}
+
+/// Says what follows the points, other than extended records.
+fn note_rest(source: &mut Source, header: &Header, rows: u64, out: &mut Decoded) -> Result<(), Error> {
+    let extra = source.drain()?;
+    if rows == header.points && extra > 0 && header.minor < 4 {
+        out.ignored.push(format!("{extra} bytes after the {rows} points that the header announces"));
+    }
+    Ok(())
+}
+
+fn note(header: &Header, frame: &LasFrame, options: &ReadOptions, out: &mut Decoded) {
+    if header.has_waves() {
+        out.ignored.push("wave packets".into());
+    }
+    if !options.attributes {
+        out.ignored.push("attributes".into());
+    }
+    let other = frame.records.len() - frame.records.iter().filter(|r| r.is_projection()).count();
+    if other > 0 {
+        out.ignored.push(format!("{other} variable length records"));
+    }
+}

@@ -1,0 +1,314 @@
+//! LAZ: chunks of compressed records. Sizes and counts are checked against the bytes that are there before the
+//! decoder sees them, since it takes memory for what it is told; its panics become errors.
+
+use super::header::{Fields, Header, LasFrame};
+use crate::columns::Endian;
+use crate::error::{Error, Place};
+use crate::quiet;
+use crate::read::rows::{Field, Table};
+use crate::read::{ReadOptions, limit};
+use crate::source::{Input, Source};
+use laz::laszip::ChunkTable;
+use laz::record::{LayeredPointRecordDecompressor, RecordDecompressor, SequentialPointRecordDecompressor};
+use laz::{LazItem, LazItemType, LazVlr};
+use rayon::prelude::*;
+use std::io::{Cursor, Read, Seek, SeekFrom};
+
+/// Chunks that are unpacked at a time, side by side.
+const BATCH: usize = 4;
+/// Unpacked bytes of a chunk beyond which it goes alone, and how many of them are held at a time then.
+const LARGE: u64 = 8 << 20;
+const STEP: usize = 4 << 20;
+
+/// How the records are packed.
+struct Packing {
+    items: Vec<LazItem>,
+    layered: bool,
+    /// Layers of a layered chunk.
+    layers: usize,
+    record: usize,
+}
+
+/// A chunk: where it is, how long, and its points.
+struct Chunk {
+    start: u64,
+    bytes: u64,
+    points: u64,
+}
+
+/// Reads the points into the table; gives how many were there whole.
+pub(super) fn read(
+    source: &mut Source,
+    header: &Header,
+    frame: &LasFrame,
+    options: &ReadOptions,
+    fields: &[Field],
+    table: &mut Table,
+) -> Result<u64, Error> {
+    let (vlr, packing) = packing(source, header, frame)?;
+    limit::check(source, options, header.points, table.row_bytes())?;
+    let mut input = source.seekable()?;
+    let chunks = chunks(source, &mut input, header, &vlr, &packing)?;
+    table.reserve(header.points as usize);
+    let mut done = 0;
+    for batch in batches(&chunks, packing.record) {
+        let mut packed = Vec::new();
+        for chunk in batch {
+            packed.push(bytes(source, &mut input, chunk)?);
+        }
+        if let [chunk] = batch {
+            done += alone(source, chunk, packed.remove(0), &packing, fields, table)?;
+        } else {
+            let unpacked: Vec<_> =
+                batch.par_iter().zip(packed).map(|(c, b)| unpack(c, b, &packing)).collect();
+            for (chunk, rows) in batch.iter().zip(unpacked) {
+                match rows {
+                    Ok(rows) => table.append(&rows, packing.record, fields, Endian::Little),
+                    Err(_) if options.salvage => return Ok(table.positions.len() as u64),
+                    Err(what) => return Err(broken(source, chunk, &what)),
+                }
+                done += chunk.points;
+            }
+        }
+    }
+    Ok(done)
+}
+
+fn broken(source: &Source, chunk: &Chunk, what: &str) -> Error {
+    let found =
+        format!("the chunk of {} points in {} bytes cannot be unpacked ({what})", chunk.points, chunk.bytes);
+    source.fault(Place::Byte(chunk.start), found, "the file is damaged; get it anew, or try --salvage")
+}
+
+/// Checks the record that says how points are packed.
+fn packing(source: &Source, header: &Header, frame: &LasFrame) -> Result<(LazVlr, Packing), Error> {
+    let fail = |found: String| {
+        Err(source.malformed(found, "the LAZ record does not fit the points; the file is damaged"))
+    };
+    let Some(data) = frame.find(LazVlr::USER_ID, LazVlr::RECORD_ID) else {
+        return fail("compressed points without the record `laszip encoded`".into());
+    };
+    let (compressor, coder) = (Fields(data).number::<u16>(), data.get(2).copied().unwrap_or(0));
+    let count = data.get(32..).map_or(0, |d| usize::from(Fields(d).number::<u16>()));
+    if data.len() < 34 + 6 * count || count == 0 || coder != 0 {
+        return fail(format!("a LAZ record of {} bytes with {count} items and coder {coder}", data.len()));
+    }
+    let vlr = match LazVlr::from_buffer(data) {
+        Ok(vlr) => vlr,
+        Err(error) => return fail(format!("a LAZ record with {error}")),
+    };
+    let items = vlr.items().clone();
+    let layered = compressor == 3;
+    let (mut record, mut layers) = (0, 0);
+    for (index, item) in items.iter().enumerate() {
+        let (size, adds) = item_size(item.item_type());
+        let first = matches!(item.item_type(), LazItemType::Point10 | LazItemType::Point14);
+        let fits =
+            usize::from(item.size()) == size && first == (index == 0) && layered == (item.version() >= 3);
+        if !fits || item.version() == 0 || size == 0 {
+            return fail(format!(
+                "packed item {index} is {:?} of {} bytes, version {}",
+                item.item_type(),
+                item.size(),
+                item.version()
+            ));
+        }
+        record += size;
+        layers += adds;
+    }
+    if record != header.record_length || !(1..=3).contains(&compressor) || layered != (header.format >= 6) {
+        return fail(format!(
+            "compressor {compressor} with records of {record} bytes for {}",
+            header.record_length
+        ));
+    }
+    Ok((vlr, Packing { items, layered, layers, record }))
+}
+
+/// Bytes and layers of a packed item.
+fn item_size(kind: LazItemType) -> (usize, usize) {
+    match kind {
+        LazItemType::Byte(count) => (count.into(), 0),
+        LazItemType::Point10 => (20, 0),
+        LazItemType::GpsTime => (8, 0),
+        LazItemType::RGB12 => (6, 0),
+        LazItemType::WavePacket13 => (29, 0),
+        LazItemType::Point14 => (30, 9),
+        LazItemType::RGB14 => (6, 1),
+        LazItemType::RGBNIR14 => (8, 2),
+        LazItemType::WavePacket14 => (29, 1),
+        LazItemType::Byte14(count) => (count.into(), count.into()),
+    }
+}
+
+/// Finds the chunks, and checks that they fit the file and hold the points that the header announces.
+fn chunks(
+    source: &Source,
+    input: &mut Input,
+    header: &Header,
+    vlr: &LazVlr,
+    packing: &Packing,
+) -> Result<Vec<Chunk>, Error> {
+    let length = input.seek(SeekFrom::End(0)).map_err(|e| source.io(e))?;
+    let pointwise = Fields(&vlr_compressor(vlr)).number::<u16>() == 1;
+    if pointwise || header.points == 0 {
+        let bytes = length.saturating_sub(header.points_at);
+        let all = Chunk { start: header.points_at, bytes, points: header.points };
+        return Ok(if header.points == 0 { Vec::new() } else { vec![all] });
+    }
+    let fail = |found: String| {
+        let place = Place::Byte(header.points_at);
+        Err(source.fault(place, found, "the file is cut or damaged; get it anew"))
+    };
+    let table_at = table_offset(source, input, header, length)?;
+    let first = header.points_at + 8;
+    if table_at < first || table_at + 8 > length {
+        return fail(format!("a chunk table at byte {table_at} of a file of {length}"));
+    }
+    let counts = at(source, input, table_at, 8)?;
+    let count = u64::from(Fields(&counts[4..]).number::<u32>());
+    // Every chunk begins with a record as it is, so that no more chunks than these can be there.
+    let most = (table_at - first) / packing.record as u64;
+    if count > most {
+        return fail(format!("{count} chunks in {} bytes, where at most {most} fit", table_at - first));
+    }
+    let bytes = at(source, input, table_at, (length - table_at).min(64 + 24 * count) as usize)?;
+    let variable = vlr.uses_variable_size_chunks();
+    let read = quiet::catch(|| ChunkTable::read(&mut Cursor::new(bytes), variable));
+    let Some(Ok(entries)) = read else { return fail("a chunk table that cannot be unpacked".into()) };
+    let (mut start, mut left, mut chunks) = (first, header.points, Vec::new());
+    for index in 0..count as usize {
+        let entry = entries[index];
+        let points = if variable { entry.point_count } else { u64::from(vlr.chunk_size()).min(left) };
+        let end = start.checked_add(entry.byte_count).filter(|&end| end <= table_at);
+        let Some(end) = end.filter(|_| points <= left && entry.byte_count >= packing.record as u64) else {
+            return fail(format!(
+                "chunk {index} of {points} points in {} bytes, which does not fit",
+                entry.byte_count
+            ));
+        };
+        chunks.push(Chunk { start, bytes: entry.byte_count, points });
+        (start, left) = (end, left - points);
+    }
+    chunks.retain(|chunk| chunk.points > 0);
+    if left > 0 {
+        return Err(source.ends_early("points", header.points, header.points - left));
+    }
+    Ok(chunks)
+}
+
+/// The compressor as it stands in the record.
+fn vlr_compressor(vlr: &LazVlr) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    // Writing into memory does not fail; an empty record reads as compressor 0.
+    let _ = vlr.write_to(&mut bytes);
+    bytes
+}
+
+/// Where the chunk table is: before the points, or at the end where the writer could not go back.
+fn table_offset(source: &Source, input: &mut Input, header: &Header, length: u64) -> Result<u64, Error> {
+    if length < header.points_at + 8 {
+        return Err(source.ends_early("points", header.points, 0));
+    }
+    let front = Fields(&at(source, input, header.points_at, 8)?).number::<u64>();
+    if front > header.points_at && front < 1 << 63 {
+        return Ok(front);
+    }
+    Ok(Fields(&at(source, input, length - 8, 8)?).number())
+}
+
+/// Bytes of the input at a place.
+fn at(source: &Source, input: &mut Input, place: u64, count: usize) -> Result<Vec<u8>, Error> {
+    let mut bytes = vec![0; count];
+    input
+        .seek(SeekFrom::Start(place))
+        .and_then(|_| input.read_exact(&mut bytes))
+        .map_err(|e| source.io(e))?;
+    Ok(bytes)
+}
+
+/// The packed bytes of a chunk, whose layers are checked against its length.
+fn bytes(source: &Source, input: &mut Input, chunk: &Chunk) -> Result<Vec<u8>, Error> {
+    at(source, input, chunk.start, chunk.bytes as usize)
+}
+
+/// Whether the layers that a chunk announces are in it.
+fn layers_fit(bytes: &[u8], packing: &Packing) -> bool {
+    let Some(sizes) = bytes.get(packing.record + 4..) else { return false };
+    if sizes.len() < 4 * packing.layers {
+        return false;
+    }
+    let total: u64 =
+        sizes.chunks_exact(4).take(packing.layers).map(|s| u64::from(Fields(s).number::<u32>())).sum();
+    total <= (sizes.len() - 4 * packing.layers) as u64
+}
+
+/// Runs of chunks to unpack together.
+fn batches(chunks: &[Chunk], record: usize) -> impl Iterator<Item = &[Chunk]> {
+    let mut rest = chunks;
+    std::iter::from_fn(move || {
+        let small = rest
+            .iter()
+            .take(BATCH)
+            .take_while(|chunk| chunk.points.saturating_mul(record as u64) <= LARGE)
+            .count();
+        let (batch, after) = rest.split_at(small.max(1).min(rest.len()));
+        rest = after;
+        Some(batch).filter(|batch| !batch.is_empty())
+    })
+}
+
+type Unpacker<'a> = Box<dyn RecordDecompressor<Cursor<Vec<u8>>> + 'a>;
+
+/// A decoder of one chunk.
+fn unpacker<'a>(bytes: Vec<u8>, packing: &Packing) -> Result<Unpacker<'a>, String> {
+    if packing.layered && !layers_fit(&bytes, packing) {
+        return Err("its layers are longer than it is".into());
+    }
+    let mut unpacker: Unpacker = if packing.layered {
+        Box::new(LayeredPointRecordDecompressor::new(Cursor::new(bytes)))
+    } else {
+        Box::new(SequentialPointRecordDecompressor::new(Cursor::new(bytes)))
+    };
+    unpacker.set_fields_from(&packing.items).map_err(|error| error.to_string())?;
+    Ok(unpacker)
+}
+
+/// All records of a chunk.
+fn unpack(chunk: &Chunk, bytes: Vec<u8>, packing: &Packing) -> Result<Vec<u8>, String> {
+    let mut rows = vec![0; chunk.points as usize * packing.record];
+    let result = quiet::catch(|| {
+        let mut unpacker = unpacker(bytes, packing)?;
+        unpacker.decompress_many(&mut rows).map_err(|error| error.to_string())
+    });
+    result.unwrap_or_else(|| Err("the decoder gave up".into()))?;
+    Ok(rows)
+}
+
+/// The records of a large chunk, some at a time.
+fn alone(
+    source: &Source,
+    chunk: &Chunk,
+    bytes: Vec<u8>,
+    packing: &Packing,
+    fields: &[Field],
+    table: &mut Table,
+) -> Result<u64, Error> {
+    let step = (STEP / packing.record).max(1).min(chunk.points as usize);
+    let mut rows = vec![0; step * packing.record];
+    let mut left = chunk.points;
+    let result = quiet::catch(|| {
+        let mut unpacker = unpacker(bytes, packing)?;
+        while left > 0 {
+            let some = left.min(step as u64) as usize * packing.record;
+            unpacker.decompress_many(&mut rows[..some]).map_err(|error| error.to_string())?;
+            table.append(&rows[..some], packing.record, fields, Endian::Little);
+            left -= (some / packing.record) as u64;
+        }
+        Ok::<(), String>(())
+    });
+    match result.unwrap_or_else(|| Err("the decoder gave up".into())) {
+        Ok(()) => Ok(chunk.points),
+        Err(what) => Err(broken(source, chunk, &what)),
+    }
+}

@@ -1,0 +1,93 @@
+//! Variable length records of LAS: what they hold, and the coordinate reference system among them.
+
+use super::header::{Fields, Header, LasFrame, Record};
+use crate::error::Error;
+use crate::source::Source;
+
+/// Bytes before the content of a record.
+const RECORD_HEADER: usize = 54;
+
+/// Reads the records between the header and the points.
+pub(super) fn read(source: &mut Source, header: &Header) -> Result<LasFrame, Error> {
+    let mut frame = LasFrame {
+        scale: header.scale,
+        offset: header.offset,
+        point_format: header.format,
+        records: Vec::new(),
+    };
+    let gap = header.header_size;
+    if source.skip(gap)? < gap {
+        return Err(source.ends_early("bytes of the header", gap, 0));
+    }
+    for index in 0..header.records {
+        match record(source, header)? {
+            Some(record) => frame.records.push(record),
+            None => {
+                let found =
+                    format!("variable length record {index} of {} reaches into the points", header.records);
+                return Err(source.malformed(found, "the header is damaged"));
+            }
+        }
+    }
+    Ok(frame)
+}
+
+/// The next record, or `None` if it does not fit before the points.
+fn record(source: &mut Source, header: &Header) -> Result<Option<Record>, Error> {
+    let room = header.points_at.saturating_sub(source.offset()) as usize;
+    let start = source.peek(RECORD_HEADER)?;
+    if room < RECORD_HEADER || start.len() < RECORD_HEADER {
+        return Ok(None);
+    }
+    let length = usize::from(Fields(&start[20..]).number::<u16>());
+    let id = Fields(&start[18..]).number();
+    let user = text(&start[2..18]);
+    if room < RECORD_HEADER + length {
+        return Ok(None);
+    }
+    let here = source.peek(RECORD_HEADER + length)?;
+    let Some(data) = here.get(RECORD_HEADER..RECORD_HEADER + length).map(<[u8]>::to_vec) else {
+        return Ok(None);
+    };
+    source.consume(RECORD_HEADER + length);
+    Ok(Some(Record { user, id, data }))
+}
+
+/// Text up to its first zero.
+pub(super) fn text(bytes: &[u8]) -> String {
+    let end = bytes.iter().position(|&b| b == 0).unwrap_or(bytes.len());
+    String::from_utf8_lossy(&bytes[..end]).trim().into()
+}
+
+impl Record {
+    /// Whether it says where on earth the coordinates lie.
+    pub fn is_projection(&self) -> bool {
+        self.user == "LASF_Projection"
+    }
+}
+
+impl LasFrame {
+    /// The content of the record with this user and number.
+    pub(super) fn find(&self, user: &str, id: u16) -> Option<&[u8]> {
+        self.records.iter().find(|r| r.user == user && r.id == id).map(|r| r.data.as_slice())
+    }
+
+    /// The coordinate reference system: its name in well-known text, or `EPSG:` and the code of its geo keys.
+    pub fn crs(&self) -> Option<String> {
+        let wkt = self.find("LASF_Projection", 2112).map(text).filter(|wkt| !wkt.is_empty());
+        wkt.map(|wkt| wkt.split('"').nth(1).map(String::from).unwrap_or(wkt)).or_else(|| self.epsg())
+    }
+
+    /// The code of the projected system (key 3072), or else of the geographic one (key 2048).
+    fn epsg(&self) -> Option<String> {
+        let keys = self.find("LASF_Projection", 34735)?;
+        let entries = keys
+            .chunks_exact(8)
+            .skip(1)
+            .map(|entry| [0, 2, 4, 6].map(|at| Fields(&entry[at..]).number::<u16>()));
+        let entries: Vec<[u16; 4]> = entries.collect();
+        let code =
+            |key: u16| entries.iter().find(|e| e[0] == key && e[1] == 0 && e[3] != 32767).map(|e| e[3]);
+        code(3072).or_else(|| code(2048)).map(|code| format!("EPSG:{code}"))
+    }
+}
