@@ -38,6 +38,48 @@ fn regress(band: &Band, centre: f64, width: f64, from: f64, to: f64) -> Option<L
     Some(Local { at: [x, y], slope: [dx, dy] })
 }
 
+/// Like [`regress`] with a parabola, so that a bend of few spacings is not cut short; where samples lie to one side
+/// or are few, a parabola runs wild and the line is taken.
+fn parabola(band: &Band, centre: f64, width: f64, from: f64, to: f64) -> Option<Local> {
+    let wide = PARABOLA * width;
+    if from > centre - 0.7 * wide || to < centre + 0.7 * wide {
+        return regress(band, centre, width, from, to);
+    }
+    let mut moments = [0.0f64; 5];
+    let mut right = [[0.0f64; 2]; 3];
+    let mut count = 0;
+    band.visit(from.max(centre - wide), to.min(centre + wide), |arc, sample| {
+        let u = (arc - centre) / wide;
+        let kernel = (1.0 - u * u).max(0.0).powi(2) / (1.0 + sample.lift * sample.lift);
+        let powers = [1.0, u, u * u, u * u * u, u * u * u * u];
+        count += 1;
+        for (moment, power) in moments.iter_mut().zip(powers) {
+            *moment += kernel * power;
+        }
+        for (row, power) in right.iter_mut().zip(powers) {
+            row[0] += kernel * power * sample.raw[0];
+            row[1] += kernel * power * sample.raw[1];
+        }
+    });
+    let [a, b, c, d, e] = moments;
+    let determinant = a * (c * e - d * d) - b * (b * e - c * d) + c * (b * d - c * c);
+    if count < 8 || determinant <= 1e-3 * a * c * e {
+        return regress(band, centre, width, from, to);
+    }
+    let at = |k: usize| {
+        let [r, s, t] = [right[0][k], right[1][k], right[2][k]];
+        (r * (c * e - d * d) - b * (s * e - d * t) + c * (s * d - c * t)) / determinant
+    };
+    let slope = |k: usize| {
+        let [r, s, t] = [right[0][k], right[1][k], right[2][k]];
+        (a * (s * e - d * t) - r * (b * e - c * d) + c * (b * t - c * s)) / determinant / wide
+    };
+    Some(Local { at: [at(0), at(1)], slope: [slope(0), slope(1)] })
+}
+
+/// How much wider a parabola's kernel is than a line's, for about the same scatter.
+const PARABOLA: f64 = 1.5;
+
 /// The smooth middle of a band, given the noise in local spacings.
 pub(crate) fn middle(band: &Band, noise: f64) -> Chain {
     let corners = corners(band, noise);
@@ -97,7 +139,7 @@ fn stretch(band: &Band, noise: f64, from: f64, to: f64, corner: bool, vertices: 
     for k in usize::from(corner)..pieces {
         let arc = from + (to - from) * k as f64 / pieces as f64;
         let local_h = spacing_at(band, arc.rem_euclid(band.length.max(1e-300)));
-        if let Some(local) = regress(band, arc, width(band, arc, local_h, noise) * local_h, low, high) {
+        if let Some(local) = parabola(band, arc, width(band, arc, local_h, noise) * local_h, low, high) {
             // Far from the polyline the regression runs away on too few samples.
             let at = if distance(local.at, band.at(arc)) <= local_h { local.at } else { band.at(arc) };
             vertices.push(Vertex { at, spacing: local_h, corner: false, weak: false });
