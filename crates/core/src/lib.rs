@@ -18,6 +18,7 @@ pub mod params;
 pub mod pattern;
 pub mod recover;
 pub mod resolution;
+pub mod section;
 pub mod shapes;
 
 pub use cloud::{Attribute, Cloud, Column};

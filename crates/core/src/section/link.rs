@@ -1,0 +1,357 @@
+//! Nodes linked into chains, and chains joined at corners and over gaps into contours.
+//!
+//! A section of a surface has no junctions: each node has one neighbour ahead and one behind. Links are taken
+//! greedily by cost, so that the surest come first and ties fall to the lower index.
+
+use super::node::Node;
+use super::tree::Tree;
+use super::vec2::{along, cross, distance, dot, meet, sub, unit};
+
+/// One vertex of a chain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Vertex {
+    /// Position in the slicing plane.
+    pub at: [f64; 2],
+    /// Local spacing.
+    pub spacing: f64,
+    /// Whether two straight continuations were found to meet here.
+    pub corner: bool,
+    /// Whether the surface here is known from badly fitting tangent planes alone.
+    pub weak: bool,
+}
+
+/// An ordered run of vertices.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Chain {
+    /// In order along the curve; the first is not repeated at the end of a closed chain.
+    pub vertices: Vec<Vertex>,
+    /// Whether the last vertex leads back to the first.
+    pub closed: bool,
+}
+
+impl Chain {
+    /// Length of the polyline, the closing segment included.
+    pub(crate) fn length(&self) -> f64 {
+        let v = &self.vertices;
+        let open: f64 = v.windows(2).map(|w| distance(w[0].at, w[1].at)).sum();
+        let closing = match (self.closed, v.first(), v.last()) {
+            (true, Some(first), Some(last)) => distance(last.at, first.at),
+            _ => 0.0,
+        };
+        open + closing
+    }
+
+    fn spacing(&self) -> f64 {
+        self.vertices.iter().map(|v| v.spacing).sum::<f64>() / self.vertices.len().max(1) as f64
+    }
+}
+
+/// Links nodes into contours, closed wherever ends can be joined, longest first.
+pub(crate) fn contours(nodes: &[Node]) -> Vec<Chain> {
+    rejoin(chains(nodes))
+}
+
+/// Joins the ends of chains, the nearest first, and leaves out strays.
+pub(crate) fn rejoin(mut chains: Vec<Chain>) -> Vec<Chain> {
+    for reach in [2.5, 5.0, 9.0] {
+        chains = join(chains, reach);
+    }
+    drop_strays(chains)
+}
+
+/// Greatest length of a link between nodes, in local spacings.
+const LINK: f64 = 2.4;
+/// Least cosine between a link and the tangents at its ends.
+const STRAIGHT: f64 = 0.72;
+
+fn chains(nodes: &[Node]) -> Vec<Chain> {
+    let mut links = candidates(nodes);
+    links.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    let mut ports = vec![[u32::MAX; 2]; nodes.len()];
+    for &(_, i, j, pi, pj) in &links {
+        let free = ports[i as usize][pi] == u32::MAX && ports[j as usize][pj] == u32::MAX;
+        if free {
+            ports[i as usize][pi] = j;
+            ports[j as usize][pj] = i;
+        }
+    }
+    walk(nodes, &ports)
+}
+
+type Link = (f64, u32, u32, usize, usize);
+
+fn candidates(nodes: &[Node]) -> Vec<Link> {
+    let places: Vec<[f64; 2]> = nodes.iter().map(|n| n.at).collect();
+    let tree = Tree::new(&places);
+    let (mut links, mut found) = (Vec::new(), Vec::new());
+    for (i, a) in nodes.iter().enumerate() {
+        tree.within(a.at, LINK * a.spacing, &mut found);
+        for &j in found.iter().filter(|&&j| j as usize > i) {
+            let b = &nodes[j as usize];
+            let step = sub(b.at, a.at);
+            let length = dot(step, step).sqrt();
+            let (ca, cb) = (dot(a.tangent, step) / length, -dot(b.tangent, step) / length);
+            if a.weak != b.weak || !(length > 0.0) || ca.abs() < STRAIGHT || cb.abs() < STRAIGHT {
+                continue;
+            }
+            let spacing = 0.5 * (a.spacing + b.spacing);
+            let cost = length / spacing * (1.0 + 3.0 * (2.0 - ca.abs() - cb.abs()));
+            links.push((cost, i as u32, j, usize::from(ca < 0.0), usize::from(cb < 0.0)));
+        }
+    }
+    links
+}
+
+fn walk(nodes: &[Node], ports: &[[u32; 2]]) -> Vec<Chain> {
+    let mut seen = vec![false; nodes.len()];
+    let mut chains = Vec::new();
+    let loose = |i: &usize| ports[*i].contains(&u32::MAX);
+    let starts = (0..nodes.len()).filter(loose).chain(0..nodes.len());
+    for start in starts.collect::<Vec<_>>() {
+        if seen[start] {
+            continue;
+        }
+        let closed = !loose(&start);
+        let mut chain = Chain { vertices: Vec::new(), closed };
+        let (mut from, mut at) = (u32::MAX, start);
+        loop {
+            seen[at] = true;
+            chain.vertices.push(Vertex {
+                at: nodes[at].at,
+                spacing: nodes[at].spacing,
+                corner: false,
+                weak: nodes[at].weak,
+            });
+            let next = if ports[at][0] == from { ports[at][1] } else { ports[at][0] };
+            let next =
+                if from == u32::MAX && next == u32::MAX { ports[at][0].min(ports[at][1]) } else { next };
+            if next == u32::MAX || seen[next as usize] {
+                break;
+            }
+            (from, at) = (at as u32, next as usize);
+        }
+        chains.push(chain);
+    }
+    chains
+}
+
+/// A loose end: where it lies and which way it looks.
+#[derive(Clone, Copy)]
+struct End {
+    chain: usize,
+    last: bool,
+    at: [f64; 2],
+    out: [f64; 2],
+    spacing: f64,
+    length: f64,
+    weak: bool,
+}
+
+/// How two ends meet.
+#[derive(Clone, Copy)]
+struct Joint {
+    cost: f64,
+    a: usize,
+    b: usize,
+    corner: Option<[f64; 2]>,
+}
+
+fn join(chains: Vec<Chain>, reach: f64) -> Vec<Chain> {
+    let ends: Vec<End> = chains.iter().enumerate().filter(|(_, c)| !c.closed).flat_map(ends_of).collect();
+    let places: Vec<[f64; 2]> = ends.iter().map(|e| e.at).collect();
+    let tree = Tree::new(&places);
+    let (mut joints, mut found) = (Vec::new(), Vec::new());
+    for (a, end) in ends.iter().enumerate() {
+        tree.within(end.at, 1.5 * reach * end.spacing, &mut found);
+        joints.extend(
+            found.iter().filter(|&&b| b as usize > a).filter_map(|&b| joint(&ends, a, b as usize, reach)),
+        );
+    }
+    for j in &mut joints {
+        j.cost += if ends[j.a].weak || ends[j.b].weak { WEAK } else { 0.0 };
+    }
+    joints.sort_by(|x, y| x.cost.total_cmp(&y.cost).then((x.a, x.b).cmp(&(y.a, y.b))));
+    let mut mate = vec![None; ends.len()];
+    for j in &joints {
+        if mate[j.a].is_none() && mate[j.b].is_none() {
+            mate[j.a] = Some((j.b, j.corner));
+            mate[j.b] = Some((j.a, j.corner));
+        }
+    }
+    splice(chains, &ends, &mate)
+}
+
+fn ends_of((index, chain): (usize, &Chain)) -> [End; 2] {
+    let length = chain.length();
+    let end = |last: bool| {
+        let v = &chain.vertices;
+        let pick = |k: usize| if last { v[v.len() - 1 - k] } else { v[k] };
+        let tip = pick(0);
+        // Three steps back: one node beside a corner may lean.
+        let back = pick(3.min(v.len() - 1));
+        End {
+            chain: index,
+            last,
+            at: tip.at,
+            out: unit(sub(tip.at, back.at)),
+            spacing: tip.spacing,
+            length,
+            weak: tip.weak,
+        }
+    };
+    [end(false), end(true)]
+}
+
+fn joint(ends: &[End], a: usize, b: usize, reach: f64) -> Option<Joint> {
+    let (e, f) = (&ends[a], &ends[b]);
+    let spacing = 0.5 * (e.spacing + f.spacing);
+    let gap = distance(e.at, f.at);
+    let own = e.chain == f.chain;
+    let room = if own { 0.5 * e.length } else { e.length.min(f.length) + spacing };
+    if gap > room.max(if own { 0.0 } else { 1.5 * spacing }) {
+        return None;
+    }
+    let turn = (-dot(e.out, f.out)).clamp(-1.0, 1.0).acos().to_degrees();
+    let near = (gap <= NEAR * spacing).then_some(Joint { cost: NEAR + gap / spacing, a, b, corner: None });
+    if turn < 30.0 {
+        return straight(e, f, gap, spacing, reach).map(|cost| Joint { cost, a, b, corner: None }).or(near);
+    }
+    corner(e, f, spacing, reach, turn).map(|(cost, at)| Joint { cost, a, b, corner: Some(at) }).or(near)
+}
+
+/// What a joint to a weak end costs more, in local spacings.
+const WEAK: f64 = 2.5;
+/// Ends this close, in local spacings, belong together whichever way they look.
+const NEAR: f64 = 3.0;
+
+fn corner(e: &End, f: &End, spacing: f64, reach: f64, turn: f64) -> Option<(f64, [f64; 2])> {
+    let (ahead, behind) = meet(e.at, e.out, f.at, f.out)?;
+    let late = |x: f64| if x < 0.0 { -2.0 * x } else { x };
+    let cost = (late(ahead) + late(behind)) / spacing;
+    let back = -1.2 * spacing;
+    if turn > 165.0 || ahead < back || behind < back || cost > reach {
+        return None;
+    }
+    Some((cost + 0.3, along(e.at, e.out, ahead)))
+}
+
+fn straight(e: &End, f: &End, gap: f64, spacing: f64, reach: f64) -> Option<f64> {
+    let step = sub(f.at, e.at);
+    let (forward, aside) = (dot(step, e.out), cross(e.out, step).abs().min(cross(f.out, step).abs()));
+    let fits = forward > -0.7 * spacing && aside <= 0.3 * gap + 0.4 * spacing && gap <= reach * spacing;
+    fits.then_some((gap + aside) / spacing)
+}
+
+fn splice(chains: Vec<Chain>, ends: &[End], mate: &[Option<(usize, Option<[f64; 2]>)>]) -> Vec<Chain> {
+    // Ends come in pairs: `e` and `e ^ 1` belong to one chain.
+    let mut seen = vec![false; ends.len() / 2];
+    let mut result: Vec<Chain> = chains.iter().filter(|c| c.closed).cloned().collect();
+    let loose = (0..ends.len()).filter(|&e| mate[e].is_none());
+    for start in loose.chain(0..ends.len()).collect::<Vec<_>>() {
+        if seen[start / 2] {
+            continue;
+        }
+        result.push(follow(&chains, ends, mate, start, &mut seen));
+    }
+    result
+}
+
+fn follow(
+    chains: &[Chain],
+    ends: &[End],
+    mate: &[Option<(usize, Option<[f64; 2]>)>],
+    start: usize,
+    seen: &mut [bool],
+) -> Chain {
+    let mut vertices: Vec<Vertex> = Vec::new();
+    let mut entry = start;
+    let mut closed = false;
+    loop {
+        seen[entry / 2] = true;
+        let piece = &chains[ends[entry].chain].vertices;
+        if ends[entry].last {
+            append(&mut vertices, piece.iter().rev().copied());
+        } else {
+            append(&mut vertices, piece.iter().copied());
+        }
+        let Some((next, corner)) = mate[entry ^ 1] else { break };
+        if let Some(at) = corner {
+            trim(&mut vertices, at, ends[entry ^ 1].out);
+            vertices.push(Vertex { at, spacing: ends[next].spacing, corner: true, weak: false });
+        }
+        if next == start {
+            closed = true;
+            break;
+        }
+        if seen[next / 2] {
+            break;
+        }
+        entry = next;
+    }
+    if closed {
+        close_trim(&mut vertices);
+    }
+    Chain { closed: closed && vertices.len() >= 3, vertices }
+}
+
+/// Adds a piece, leaving out its first vertices that lie behind the corner just set.
+fn append(vertices: &mut Vec<Vertex>, piece: impl Iterator<Item = Vertex>) {
+    let corner = vertices.last().filter(|v| v.corner).copied();
+    let piece: Vec<Vertex> = piece.collect();
+    let mut skip = 0;
+    if let Some(c) = corner {
+        let away = unit(sub(piece[3.min(piece.len() - 1)].at, c.at));
+        while skip + 1 < piece.len() && dot(sub(piece[skip].at, c.at), away) < 0.25 * c.spacing {
+            skip += 1;
+        }
+    }
+    vertices.extend_from_slice(&piece[skip..]);
+}
+
+/// Takes off the last vertices that lie past a corner.
+fn trim(vertices: &mut Vec<Vertex>, at: [f64; 2], out: [f64; 2]) {
+    while vertices.len() > 1 {
+        let last = vertices[vertices.len() - 1];
+        if last.corner || dot(sub(at, last.at), out) >= 0.25 * last.spacing {
+            break;
+        }
+        vertices.pop();
+    }
+}
+
+/// A closing corner was set after the first piece was laid: its first vertices may lie behind it.
+fn close_trim(vertices: &mut Vec<Vertex>) {
+    let Some(c) = vertices.last().filter(|v| v.corner).copied() else { return };
+    let away = unit(sub(vertices[3.min(vertices.len() - 1)].at, c.at));
+    let behind = |v: &Vertex| !v.corner && dot(sub(v.at, c.at), away) < 0.25 * c.spacing;
+    let skip = vertices.iter().take(3).take_while(|v| behind(v)).count();
+    vertices.drain(..skip);
+}
+
+/// Leaves out short open chains, and open ones that run along a longer chain.
+fn drop_strays(mut chains: Vec<Chain>) -> Vec<Chain> {
+    chains.sort_by(|a, b| b.length().total_cmp(&a.length()));
+    let mut kept: Vec<Chain> = Vec::new();
+    for chain in chains {
+        let spacing = chain.spacing();
+        let short = chain.vertices.len() < 4 || chain.length() < 4.0 * spacing;
+        let weak = chain.vertices.iter().filter(|v| v.weak).count() * 2 > chain.vertices.len();
+        if !chain.closed && (short || weak || runs_along(&chain, &kept)) {
+            continue;
+        }
+        kept.push(chain);
+    }
+    kept
+}
+
+fn runs_along(chain: &Chain, others: &[Chain]) -> bool {
+    let places: Vec<[f64; 2]> = others.iter().flat_map(|c| c.vertices.iter().map(|v| v.at)).collect();
+    let tree = Tree::new(&places);
+    let mut best = Vec::new();
+    let mut near = 0;
+    for vertex in &chain.vertices {
+        tree.nearest(vertex.at, 1, &mut best);
+        near += usize::from(best.first().is_some_and(|b| b.0.sqrt() < vertex.spacing));
+    }
+    near * 10 > chain.vertices.len() * 7
+}

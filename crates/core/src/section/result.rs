@@ -1,0 +1,232 @@
+//! What a section holds.
+
+use super::curve::{self, Piece, Shape};
+use super::link::Chain;
+use super::nest;
+use super::slice::SliceFrame;
+use crate::curve::BSpline;
+
+/// All sections of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sections {
+    /// Directions of the slices in the world.
+    pub frame: SliceFrame,
+    /// Position of each plane along the axis, world unit, in the order asked for.
+    pub heights: Vec<f64>,
+    /// Median spacing of the cloud, world unit.
+    pub spacing: f64,
+    /// Estimated standard deviation of the points from the surface, in spacings.
+    pub noise: f64,
+    /// One for each plane, in that order.
+    pub sections: Vec<Section>,
+}
+
+/// The curves in one plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    /// Index of the plane.
+    pub plane: usize,
+    /// Its position along the axis, world unit.
+    pub height: f64,
+    /// Points of the cloud in the slab.
+    pub points: usize,
+    /// The curves, longest first.
+    pub contours: Vec<Contour>,
+    /// Why there is no curve; `None` where there is one.
+    pub missing: Option<Missing>,
+}
+
+/// Why a section has no curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Missing {
+    /// No point lies in the slab.
+    Empty,
+    /// So few points lie in the slab that they show no curve.
+    TooFewPoints(usize),
+    /// This many points lie in the slab, but no surface crosses the plane there that could be followed: the points
+    /// lie on a face along the plane, on a straight line, or scattered.
+    NoCurve(usize),
+}
+
+/// One curve of a section.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contour {
+    /// `(M, 3)` f64, world frame, in order; the first is not repeated at the end of a closed contour. Outer contours
+    /// run counter-clockwise seen against the axis, holes clockwise.
+    pub points: Vec<[f64; 3]>,
+    /// Ascending indices of those points that are corners.
+    pub corners: Vec<usize>,
+    /// Whether the last point leads back to the first.
+    pub closed: bool,
+    /// The contour of the same section that closely surrounds this one.
+    pub parent: Option<usize>,
+    /// Number of contours around this one: even for an outer one, odd for a hole.
+    pub depth: usize,
+    /// Enclosed area, square world units: positive for outer contours, negative for holes, 0 for open ones.
+    pub area: f64,
+    /// Length, world unit.
+    pub length: f64,
+    /// Centroid of the enclosed area, of the line for an open contour; world frame.
+    pub centroid: [f64; 3],
+    /// The contour as lines, arcs, circles and splines, end to end; empty unless asked for.
+    pub pieces: Vec<CurvePiece>,
+}
+
+/// One curve of a contour.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurvePiece {
+    /// Its kind with its parameters.
+    pub shape: CurveShape,
+    /// First point, world frame.
+    pub from: [f64; 3],
+    /// Last point, world frame; the first point again for a circle.
+    pub to: [f64; 3],
+    /// Greatest distance of a point of the contour from it, world unit.
+    pub worst: f64,
+}
+
+/// Kinds of curves.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CurveShape {
+    /// Straight from end to end.
+    Line,
+    /// About a centre.
+    Arc {
+        /// World frame.
+        centre: [f64; 3],
+        /// World unit.
+        radius: f64,
+        /// Angle swept, degrees, positive counter-clockwise seen against the axis.
+        sweep_deg: f64,
+    },
+    /// A whole circle.
+    Circle {
+        /// World frame.
+        centre: [f64; 3],
+        /// World unit.
+        radius: f64,
+    },
+    /// A cubic B-spline.
+    Spline(BSpline),
+}
+
+impl CurveShape {
+    /// The name in files: `line`, `arc`, `circle` or `spline`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            CurveShape::Line => "line",
+            CurveShape::Arc { .. } => "arc",
+            CurveShape::Circle { .. } => "circle",
+            CurveShape::Spline(_) => "spline",
+        }
+    }
+}
+
+impl Missing {
+    /// The reason in words.
+    pub fn reason(self) -> String {
+        match self {
+            Missing::Empty => "no point lies in the slab".into(),
+            Missing::TooFewPoints(n) => format!("{n} points in the slab are too few for a curve"),
+            Missing::NoCurve(n) => {
+                format!("no surface can be followed across the plane among {n} points of the slab")
+            }
+        }
+    }
+}
+
+/// Orients, nests and measures outlines, and fits curves within `tolerance`; all still in the slice frame, with a
+/// third coordinate of 0.
+pub(crate) fn contours(chains: Vec<Chain>, tolerance: Option<f64>) -> Vec<Contour> {
+    let flat: Vec<(Vec<[f64; 2]>, bool)> =
+        chains.iter().map(|c| (c.vertices.iter().map(|v| v.at).collect(), c.closed)).collect();
+    let parents = nest::parents(&flat);
+    let depth = |mut i: usize| {
+        let mut depth = 0;
+        while let Some(parent) = parents[i] {
+            (i, depth) = (parent, depth + 1);
+        }
+        depth
+    };
+    let depths: Vec<usize> = (0..parents.len()).map(depth).collect();
+    let contour = |(i, chain): (usize, Chain)| contour(chain, parents[i], depths[i], tolerance);
+    chains.into_iter().enumerate().map(contour).collect()
+}
+
+fn contour(mut chain: Chain, parent: Option<usize>, depth: usize, tolerance: Option<f64>) -> Contour {
+    let points = |c: &Chain| c.vertices.iter().map(|v| v.at).collect::<Vec<_>>();
+    let wanted = if depth % 2 == 0 { 1.0 } else { -1.0 };
+    if nest::measure(&points(&chain), chain.closed).area * wanted < 0.0 {
+        chain.vertices.reverse();
+    }
+    let flat = points(&chain);
+    let extent = nest::measure(&flat, chain.closed);
+    let pieces = tolerance.map_or(Vec::new(), |t| curve::fit(&chain.vertices, chain.closed, t));
+    let corners = chain.vertices.iter().enumerate().filter(|(_, v)| v.corner).map(|(k, _)| k).collect();
+    Contour {
+        points: flat.iter().map(|&p| lift(p)).collect(),
+        corners,
+        closed: chain.closed,
+        parent,
+        depth,
+        area: extent.area,
+        length: extent.length,
+        centroid: lift(extent.centroid),
+        pieces: pieces.into_iter().map(piece).collect(),
+    }
+}
+
+fn lift(p: [f64; 2]) -> [f64; 3] {
+    [p[0], p[1], 0.0]
+}
+
+fn piece(piece: Piece) -> CurvePiece {
+    let shape = match piece.shape {
+        Shape::Line => CurveShape::Line,
+        Shape::Arc { centre, radius, sweep } => {
+            CurveShape::Arc { centre: lift(centre), radius, sweep_deg: sweep.to_degrees() }
+        }
+        Shape::Circle { centre, radius } => CurveShape::Circle { centre: lift(centre), radius },
+        Shape::Free(spline) => CurveShape::Spline(BSpline {
+            degree: 3,
+            knots: spline.knots,
+            controls: spline.controls.into_iter().map(lift).collect(),
+            periodic: false,
+        }),
+    };
+    CurvePiece { shape, from: lift(piece.from), to: lift(piece.to), worst: piece.worst }
+}
+
+impl Contour {
+    /// Brings a contour from the slice frame to the world.
+    pub(crate) fn place(&mut self, to_world: &impl Fn([f64; 2]) -> [f64; 3], scale: f64) {
+        let move_to = |p: &mut [f64; 3]| *p = to_world([p[0], p[1]]);
+        self.points.iter_mut().for_each(move_to);
+        move_to(&mut self.centroid);
+        self.area *= scale * scale;
+        self.length *= scale;
+        for piece in &mut self.pieces {
+            move_to(&mut piece.from);
+            move_to(&mut piece.to);
+            piece.worst *= scale;
+            match &mut piece.shape {
+                CurveShape::Line => {}
+                CurveShape::Arc { centre, radius, .. } | CurveShape::Circle { centre, radius } => {
+                    move_to(centre);
+                    *radius *= scale;
+                }
+                CurveShape::Spline(spline) => {
+                    spline.controls.iter_mut().for_each(move_to);
+                    spline.knots.iter_mut().for_each(|k| *k *= scale);
+                }
+            }
+        }
+    }
+}
+
+impl Sections {
+    /// Contours of all sections with the index of their plane, planes in order.
+    pub fn contours(&self) -> impl Iterator<Item = (usize, &Contour)> {
+        self.sections.iter().flat_map(|s| s.contours.iter().map(move |c| (s.plane, c)))
+    }
+}
