@@ -3,8 +3,10 @@
 //!
 //! Two forms. [`paper`] is as printed. [`robust`], the default, departs where the paper is fragile: see there.
 
+mod border;
 pub mod paper;
 pub mod robust;
+mod sharpness;
 
 use crate::measure::Measure;
 use crate::neighbors::Neighbors;

@@ -13,27 +13,23 @@
 //! * **Border.** The open angle counts only if it is wider than chance would leave it in as many directions, and not at an
 //!   acute crease, where one face hides the other.
 
+use super::border::{align, border};
+use super::sharpness::sharpness;
 use super::{Derived, density};
 use crate::detect::fold::{CrossSection, Fold};
 use crate::detect::normals::{Normals, normals};
-use crate::detect::open_angle::{chance_opening, open_angle};
-use crate::detect::tensor::{add_product, ellipsoid};
+use crate::detect::tensor::add_product;
 use crate::math::eigen3::{Eigen3, eigen3};
-use crate::math::vec3::{add, add_scaled, cross, dot, norm, scale, sub, unit};
+use crate::math::vec3::{add, add_scaled, dot, norm, scale, sub};
 use crate::measure::{Direction, Measure, Penalties, Row};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::params::PenaltyParams;
 use crate::resolution::Resolution;
 use rayon::prelude::*;
-use std::f64::consts::{PI, TAU};
-
-/// Chance that a point within the surface shows its open angle by accident.
-const BORDER_CHANCE: f64 = 1e-3;
+use std::f64::consts::PI;
 
 /// Evidence at which a single point is known to lie on a round, whatever the rest of its chain says.
 const CLEARLY_SMOOTH: f32 = -4.0;
-/// How far real faces leave the shapes of a cross-section within a neighbourhood, spacings.
-const MODEL_ERROR: f64 = 0.04;
 
 /// What every point needs to know.
 struct Context<'a> {
@@ -92,6 +88,7 @@ pub fn penalties(
             measure.border.push(i as u32, border);
         }
     }
+    align(points, graph, &mut measure.border, resolution);
     measure.normal = context.normals.vectors;
     measure
 }
@@ -112,7 +109,7 @@ impl Context<'_> {
         let crease = (penalty < 0.75)
             .then(|| self.crease(i, &tensor, pull, penalty.max(0.0), wide, section))
             .filter(|row| row.evidence > CLEARLY_SMOOTH);
-        let border = if fold < (0.3 * PI).sin() { self.border(i, wide, angles) } else { None };
+        let border = if fold < (0.3 * PI).sin() { border(self.points, i, wide, angles) } else { None };
         Point {
             density: density(self.points, self.graph, i) as f32,
             fold: (fold / (2.0 * self.least_fold)).min(1.0) as f32,
@@ -155,7 +152,13 @@ impl Context<'_> {
         let reach = 2.0 * self.resolution.spacing + 2.0 * self.resolution.noise;
         let foot = if norm(shift) <= reach { add(self.points[i], shift) } else { self.points[i] };
         let certainty = if middle > 0.0 { 1.0 - (least / middle).sqrt() } else { 0.0 };
-        let sharp = self.evidence(i, tensor, foot, wide, section);
+        // At a corner there is no one cross-section: that says nothing.
+        let sharp = if corner {
+            Fold::default()
+        } else {
+            let near = wide.iter().map(|&j| self.points[j as usize]).chain([self.points[i]]);
+            sharpness(near, tensor, foot, self.resolution, section)
+        };
         Row {
             scalar: penalty as f32,
             vector: scale(tensor.vectors[0], certainty).map(|x| x as f32),
@@ -165,59 +168,5 @@ impl Context<'_> {
             expected: sharp.expected as f32,
             fold: sharp.angle.abs() as f32,
         }
-    }
-
-    /// Whether the cross-section through `foot` is sharp. At a corner there is no one cross-section: that says nothing.
-    fn evidence(
-        &self,
-        i: usize,
-        tensor: &Eigen3,
-        foot: [f64; 3],
-        wide: &[u32],
-        section: &mut CrossSection,
-    ) -> Fold {
-        let h = self.resolution.spacing;
-        let [along, middle, most] = tensor.vectors;
-        if tensor.values[0].max(0.0).sqrt() > self.least_fold {
-            return Fold::default();
-        }
-        // Near a right angle the tensor's two great axes are anything: the bisector is where the neighbours lie.
-        let blunt = tensor.values[1] < 0.3 * tensor.values[2];
-        let (up, across) = if blunt {
-            (most, middle)
-        } else {
-            let sum = wide.iter().fold([0.0; 3], |s, &j| add(s, sub(self.points[j as usize], foot)));
-            let up = unit(add_scaled(sum, along, -dot(sum, along)));
-            (up, cross(along, up))
-        };
-        section.clear();
-        for j in wide.iter().map(|&j| j as usize).chain([i]) {
-            let d = sub(self.points[j], foot);
-            let (u, s) = (dot(d, along) / h, dot(d, across) / h);
-            if u.abs() <= 2.0 && s.abs() <= 3.0 {
-                section.push(s, dot(d, up) / h);
-            }
-        }
-        let variance = (self.resolution.noise / h).powi(2) + MODEL_ERROR * MODEL_ERROR;
-        section.fold(variance).unwrap_or_default()
-    }
-
-    fn border(&self, i: usize, wide: &[u32], angles: &mut Vec<f64>) -> Option<Row> {
-        let axes = ellipsoid(self.points, i, wide).axes;
-        let opening = open_angle(self.points, i, wide, axes.vectors[0], angles);
-        let chance = chance_opening(angles.len(), BORDER_CHANCE);
-        if opening.angle < chance.max(0.5 * PI) {
-            return None;
-        }
-        let along = cross(axes.vectors[0], opening.middle);
-        Some(Row {
-            scalar: (1.0 - opening.angle / TAU) as f32,
-            vector: along.map(|x| x as f32),
-            corner: if opening.angle > 1.2 * PI { 0.5 } else { 1.0 },
-            foot: self.points[i],
-            evidence: 0.0,
-            expected: 0.0,
-            fold: 0.0,
-        })
     }
 }
