@@ -1,11 +1,13 @@
 //! Linkers: from what the points say to graphs of lines.
 
+mod bridge;
 mod judge;
 mod prune;
 mod spanning;
 mod walk;
 mod weight;
 
+pub use bridge::bridge;
 pub use judge::judge;
 pub use prune::prune;
 pub use spanning::minimum_spanning_graph;
@@ -62,6 +64,7 @@ pub fn link(
         prune(&mut lines, resolution, reach);
         if reach.openness > 0.0 {
             judge(&mut lines, resolution, reach);
+            bridge(&mut lines, resolution);
         }
         lines
     };

@@ -14,7 +14,7 @@ pub struct Pattern {
 /// A graph on some of the points of the cloud.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LineGraph {
-    /// `(V)` the point of the cloud that each vertex is, ascending.
+    /// `(V)` the point of the cloud that each vertex is or lies nearest to.
     pub points: Vec<u32>,
     /// `(V, 3)` where the vertex lies, which need not be where its point lies.
     pub positions: Vec<[f64; 3]>,
@@ -37,6 +37,30 @@ impl LineGraph {
     /// The number of edges.
     pub fn edge_count(&self) -> usize {
         self.edges.iter().map(Vec::len).sum::<usize>() / 2
+    }
+
+    /// Joins `a` and `b`.
+    pub fn add_edge(&mut self, a: u32, b: u32) {
+        for (v, w) in [(a, b), (b, a)] {
+            let list = &mut self.edges[v as usize];
+            if let Err(at) = list.binary_search(&w) {
+                list.insert(at, w);
+            }
+        }
+    }
+
+    /// A new vertex at `position`, otherwise like `model` but without evidence of its own.
+    pub fn add_vertex(&mut self, model: u32, position: [f64; 3]) -> u32 {
+        let m = model as usize;
+        self.points.push(self.points[m]);
+        self.positions.push(position);
+        self.penalty.push(self.penalty[m]);
+        self.corner.push(self.corner[m]);
+        self.evidence.push(0.0);
+        self.expected.push(0.0);
+        self.fold.push(0.0);
+        self.edges.push(Vec::new());
+        (self.edges.len() - 1) as u32
     }
 
     /// Takes the edge between `a` and `b` away.

@@ -1,0 +1,195 @@
+//! Bridges from loose ends: on to the end or strip that they point at, or to where two of them would meet.
+//!
+//! Where a fold fades for a few spacings, or faces are too narrow to show it, the minimum spanning graph stops. What stops
+//! on both sides of the gap in line with each other is one line. The nearer, the more may the direction differ. Not in
+//! Gumhold 2001.
+
+use crate::math::vec3::{add_scaled, distance, dot, norm, scale, sub, unit};
+use crate::neighbors::Index;
+use crate::pattern::LineGraph;
+use crate::resolution::Resolution;
+
+/// Gap in spacings and the angle up to which both ends may look aside from it, degrees; nearest first.
+const GAPS: [(f64, f64); 4] = [(2.5, 55.0), (4.0, 35.0), (6.0, 20.0), (10.0, 9.0)];
+/// Length of strip that an end's direction is taken from, spacings.
+const TANGENT: f64 = 4.0;
+/// How far ahead of an end it may run into a strip, spacings, and how far aside it may look, degrees.
+const INTO_STRIP: (f64, f64) = (3.5, 50.0);
+/// How far ahead two ends may meet at an angle, and how far their lines may pass each other, spacings.
+const MEETING: (f64, f64) = (4.5, 1.0);
+
+/// A vertex of degree one, and where it looks.
+struct End {
+    vertex: u32,
+    position: [f64; 3],
+    tangent: [f64; 3],
+    /// The vertices of its own strip near to it.
+    own: Vec<u32>,
+}
+
+/// What an end can be joined to.
+enum Bridge {
+    /// The other end or a vertex of a strip.
+    Edge(u32, u32),
+    /// Both ends to a new vertex.
+    Corner(u32, u32, [f64; 3]),
+}
+
+/// Joins loose ends, the cheapest first, in rounds of growing reach.
+pub fn bridge(lines: &mut LineGraph, resolution: Resolution) {
+    let h = resolution.spacing;
+    for (reach, angle) in GAPS {
+        let ends = loose_ends(lines, h);
+        let mut bridges = facing(&ends, reach * h, angle);
+        if reach == GAPS[1].0 {
+            bridges.extend(into_strips(lines, &ends, h));
+            bridges.extend(meetings(&ends, h));
+        }
+        bridges.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.ends().cmp(&b.1.ends())));
+        for (_, bridge) in bridges {
+            build(lines, bridge);
+        }
+    }
+}
+
+impl Bridge {
+    fn ends(&self) -> (u32, u32) {
+        match *self {
+            Bridge::Edge(a, b) | Bridge::Corner(a, b, _) => (a, b),
+        }
+    }
+}
+
+/// All vertices of degree one with their directions.
+fn loose_ends(lines: &LineGraph, h: f64) -> Vec<End> {
+    (0..lines.edges.len() as u32)
+        .filter(|&v| lines.edges[v as usize].len() == 1)
+        .map(|v| {
+            let position = lines.positions[v as usize];
+            let (mut own, mut length) = (vec![v], 0.0);
+            let (mut before, mut at) = (v, lines.edges[v as usize][0]);
+            let mut back = position;
+            loop {
+                own.push(at);
+                length += distance(lines.positions[before as usize], lines.positions[at as usize]);
+                if length <= TANGENT * h || own.len() == 2 {
+                    back = lines.positions[at as usize];
+                }
+                let next = &lines.edges[at as usize];
+                if next.len() != 2 || length > 2.0 * TANGENT * h {
+                    break;
+                }
+                (before, at) = (at, if next[0] == before { next[1] } else { next[0] });
+            }
+            End { vertex: v, position, tangent: unit(sub(position, back)), own }
+        })
+        .collect()
+}
+
+/// Pairs of ends that look at each other over at most `reach`, with their cost.
+fn facing(ends: &[End], reach: f64, angle_deg: f64) -> Vec<(f64, Bridge)> {
+    let positions: Vec<[f64; 3]> = ends.iter().map(|e| e.position).collect();
+    let index = Index::build(&positions);
+    let cosine = angle_deg.to_radians().cos();
+    let (mut found, mut bridges) = (Vec::new(), Vec::new());
+    for (i, end) in ends.iter().enumerate() {
+        index.within(end.position, reach, &mut found);
+        for other in found.iter().map(|f| f.index as usize).filter(|&j| j > i) {
+            let gap = sub(ends[other].position, end.position);
+            let length = norm(gap);
+            let aside =
+                [dot(end.tangent, gap), -dot(ends[other].tangent, gap)].map(|d| d / length.max(1e-12));
+            let straight = aside[0].min(aside[1]);
+            if length <= 0.3 * reach / GAPS.len() as f64 || straight >= cosine {
+                let cost = length * (2.0 - straight);
+                bridges.push((cost, Bridge::Edge(end.vertex, ends[other].vertex)));
+            }
+        }
+    }
+    bridges
+}
+
+/// Ends that run into a strip ahead of them.
+fn into_strips(lines: &LineGraph, ends: &[End], h: f64) -> Vec<(f64, Bridge)> {
+    let vertices: Vec<u32> =
+        (0..lines.edges.len() as u32).filter(|&v| lines.edges[v as usize].len() > 1).collect();
+    let positions: Vec<[f64; 3]> = vertices.iter().map(|&v| lines.positions[v as usize]).collect();
+    let index = Index::build(&positions);
+    let cosine = INTO_STRIP.1.to_radians().cos();
+    let (mut found, mut bridges) = (Vec::new(), Vec::new());
+    for end in ends {
+        index.within(end.position, INTO_STRIP.0 * h, &mut found);
+        let nearest = found
+            .iter()
+            .map(|f| vertices[f.index as usize])
+            .filter(|v| !end.own.contains(v))
+            .filter_map(|v| {
+                let gap = sub(lines.positions[v as usize], end.position);
+                let length = norm(gap);
+                let straight = dot(end.tangent, gap) / length.max(1e-12);
+                (straight >= cosine || length <= 0.5 * h).then_some((length * (2.0 - straight), v))
+            })
+            .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        if let Some((cost, v)) = nearest {
+            bridges.push((cost, Bridge::Edge(end.vertex, v)));
+        }
+    }
+    bridges
+}
+
+/// Pairs of ends whose lines meet ahead of both at an angle.
+fn meetings(ends: &[End], h: f64) -> Vec<(f64, Bridge)> {
+    let positions: Vec<[f64; 3]> = ends.iter().map(|e| e.position).collect();
+    let index = Index::build(&positions);
+    let (mut found, mut bridges) = (Vec::new(), Vec::new());
+    for (i, end) in ends.iter().enumerate() {
+        index.within(end.position, 2.0 * MEETING.0 * h, &mut found);
+        for other in found.iter().map(|f| f.index as usize).filter(|&j| j > i) {
+            if let Some((ahead, apart, at)) = meeting(end, &ends[other])
+                && ahead <= MEETING.0 * h
+                && apart <= MEETING.1 * h
+            {
+                bridges.push((2.0 * ahead + apart, Bridge::Corner(end.vertex, ends[other].vertex, at)));
+            }
+        }
+    }
+    bridges
+}
+
+/// Where the lines of two ends pass nearest: how far ahead at most, how far apart, and the middle; `None` behind either or
+/// nearly parallel.
+fn meeting(a: &End, b: &End) -> Option<(f64, f64, [f64; 3])> {
+    let cosine = dot(a.tangent, b.tangent);
+    let sine2 = 1.0 - cosine * cosine;
+    if sine2 < 0.12 {
+        return None;
+    }
+    let gap = sub(b.position, a.position);
+    let (u, v) = (dot(gap, a.tangent), dot(gap, b.tangent));
+    let (s, t) = ((u - cosine * v) / sine2, (cosine * u - v) / sine2);
+    if s < 0.0 || t < 0.0 {
+        return None;
+    }
+    let (p, q) = (add_scaled(a.position, a.tangent, s), add_scaled(b.position, b.tangent, t));
+    let middle = add_scaled(scale(p, 0.5), q, 0.5);
+    Some((s.max(t), distance(p, q), middle))
+}
+
+/// Adds a bridge if its ends are still loose.
+fn build(lines: &mut LineGraph, bridge: Bridge) {
+    let loose = |lines: &LineGraph, v: u32| lines.edges[v as usize].len() == 1;
+    match bridge {
+        Bridge::Edge(a, b) if loose(lines, a) && (loose(lines, b) || lines.edges[b as usize].len() > 1) => {
+            if !lines.edges[a as usize].contains(&b) {
+                lines.add_edge(a, b);
+            }
+        }
+        Bridge::Corner(a, b, at) if loose(lines, a) && loose(lines, b) => {
+            let corner = lines.add_vertex(a, at);
+            lines.corner[corner as usize] = 0.0;
+            lines.add_edge(a, corner);
+            lines.add_edge(b, corner);
+        }
+        _ => {}
+    }
+}
