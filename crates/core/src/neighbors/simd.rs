@@ -1,8 +1,8 @@
 //! The inner loops in vector instructions: the one module of the library with `unsafe` code.
 //!
 //! What is unsafe here is of two kinds. A function compiled for AVX-512 or AVX2 is called: each type below can
-//! only be made by `detect`, after the processor was asked. Vectors are loaded from and stored to arrays: always
-//! whole arrays of known length, through `load` and `store`.
+//! only be made by `detect`, after the processor was asked. Vectors are loaded from and stored to arrays, always
+//! through references to as many values as a vector has.
 
 use std::arch::x86_64::*;
 
@@ -126,65 +126,71 @@ fn boxes(query: &Aabb, node: &Node) -> [f64; WIDTH] {
         let (low, high) =
             ([0, 1, 2].map(|a| load(&node.min[a], h)), [0, 1, 2].map(|a| load(&node.max[a], h)));
         let d = gap2(low, high, min, max);
-        // SAFETY: half `h` of `out` has eight f64.
-        unsafe { _mm512_storeu_pd(out.as_mut_ptr().add(8 * h), d) };
+        let half = &mut out.as_chunks_mut::<8>().0[h];
+        // SAFETY: eight f64 lie behind the reference.
+        unsafe { _mm512_storeu_pd(half.as_mut_ptr(), d) };
     }
     out
 }
 
+/// Which of the queries a box can hold a neighbour for, one bit each.
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn asking(queries: &Leaf, around: &Aabb, bounds: &[f64; WIDTH]) -> u32 {
+    let (min, max) = (around.min.map(|x| _mm512_set1_pd(x)), around.max.map(|x| _mm512_set1_pd(x)));
+    let half = |h: usize| {
+        let at = [0, 1, 2].map(|a| load(&queries.at[a], h));
+        u32::from(_mm512_cmp_pd_mask::<_CMP_LE_OQ>(gap2(min, max, at, at), load(bounds, h)))
+    };
+    half(0) | half(1) << 8
+}
+
 #[target_feature(enable = "avx512f")]
 fn scan<const K: usize, const R: usize>(queries: &Leaf, leaf: &Leaf, around: &Aabb, lists: &mut Lists<K>) {
-    let (min, max) = (around.min.map(|x| _mm512_set1_pd(x)), around.max.map(|x| _mm512_set1_pd(x)));
-    let mut near = 0u32;
-    for h in 0..2 {
-        let at = [0, 1, 2].map(|a| load(&queries.at[a], h));
-        let d = gap2(min, max, at, at);
-        near |= u32::from(_mm512_cmp_pd_mask::<_CMP_LE_OQ>(d, load(&lists.bounds, h))) << (8 * h);
-    }
-    if near == 0 {
+    let mut asking = asking(queries, around, &lists.bounds);
+    if asking == 0 {
         return;
     }
     let at: [Pair; 3] = [0, 1, 2].map(|a| [load(&leaf.at[a], 0), load(&leaf.at[a], 1)]);
     // SAFETY: sixteen u32 lie behind the reference.
     let ids = unsafe { _mm512_loadu_si512(leaf.id.as_ptr().cast()) };
-    let ids = [
-        _mm512_cvtepu32_epi64(_mm512_castsi512_si256(ids)),
-        _mm512_cvtepu32_epi64(_mm512_extracti64x4_epi64::<1>(ids)),
-    ];
+    let ids = [_mm512_castsi512_si256(ids), _mm512_extracti64x4_epi64::<1>(ids)];
+    let ids = ids.map(|half| _mm512_cvtepu32_epi64(half));
     let own = std::ptr::eq(queries, leaf);
     let high = _mm512_set1_epi64(0xffff_ffff_0000_0000_u64 as i64);
     let mut keys = [[0u64; 8]; 2];
-    while near != 0 {
-        let q = near.trailing_zeros() as usize % WIDTH;
-        near &= near - 1;
+    while asking != 0 {
+        let q = asking.trailing_zeros() as usize % WIDTH;
+        asking &= asking - 1;
         let query = [0, 1, 2].map(|a| _mm512_set1_pd(queries.at[a][q]));
         let bound = _mm512_set1_pd(lists.bounds[q]);
-        let mut mask = 0u32;
+        let mut near = 0u32;
         for h in 0..2 {
             let d = norm2(std::array::from_fn(|a| _mm512_sub_pd(at[a][h], query[a])));
-            mask |= u32::from(_mm512_cmp_pd_mask::<_CMP_LE_OQ>(d, bound)) << (8 * h);
+            near |= u32::from(_mm512_cmp_pd_mask::<_CMP_LE_OQ>(d, bound)) << (8 * h);
             // (d & high) | id
             store_keys(&mut keys[h], _mm512_ternarylogic_epi64::<0xea>(_mm512_castpd_si512(d), high, ids[h]));
         }
-        if own {
-            mask &= !(1 << q);
+        near &= !(u32::from(own) << q);
+        if near != 0 {
+            take::<K, R>(&keys, near, &mut lists.keys[q]);
+            lists.tighten(q);
         }
-        if mask == 0 {
-            continue;
-        }
-        let list: &mut [[u64; 8]] = lists.keys[q].as_chunks_mut::<8>().0;
-        let mut held: [__m512i; R] = std::array::from_fn(|r| load_keys(&list[r]));
-        while mask != 0 {
-            let i = mask.trailing_zeros() as usize % WIDTH;
-            mask &= mask - 1;
-            let key = _mm512_set1_epi64(keys.as_flattened()[i] as i64);
-            insert(&mut held, key);
-        }
-        for r in 0..R {
-            store_keys(&mut list[r], held[r]);
-        }
-        lists.tighten(q);
     }
+}
+
+/// Takes those of sixteen candidates into a list that have a bit in `near`.
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn take<const K: usize, const R: usize>(keys: &[[u64; 8]; 2], mut near: u32, list: &mut [u64; K]) {
+    let list: &mut [[u64; 8]] = list.as_chunks_mut::<8>().0;
+    let mut held: [__m512i; R] = std::array::from_fn(|r| load_keys(&list[r]));
+    while near != 0 {
+        let i = near.trailing_zeros() as usize % WIDTH;
+        near &= near - 1;
+        insert(&mut held, _mm512_set1_epi64(keys.as_flattened()[i] as i64));
+    }
+    list.iter_mut().zip(held).for_each(|(keys, held)| store_keys(keys, held));
 }
 
 /// Inserts into a sorted list and lets its last entry go: each place takes the least of itself and the greater of
