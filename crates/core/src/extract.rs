@@ -121,7 +121,8 @@ pub fn extract_observed(
 
     let (resolution, graph) = clock.run(Stage::Neighbors, || {
         let nearest = all_nearest(&positions, params.neighbors.k);
-        (Resolution::estimate(&positions, &nearest), riemannian::graph(&positions, &nearest))
+        let graph = riemannian::graph(&positions, &nearest);
+        (Resolution::estimate(&positions, &nearest, &graph), graph)
     });
     let resolution = match params.penalty.noise_spacings {
         crate::params::Auto::Given(ratio) => Resolution { noise: ratio * resolution.spacing, ..resolution },

@@ -26,6 +26,9 @@ pub struct Reach {
     pub rho: f64,
     /// Whether lengths count edges, as in the paper; otherwise they are spacings along the line.
     pub in_edges: bool,
+    /// Graph distance of border candidates that an edge may join: 1 in the paper's form. Only the outermost row of points
+    /// sees a border, and its points are often farther apart than neighbours in the graph.
+    pub border_hops: usize,
     /// Least ratio of the area that a cycle encloses to its length, spacings: keeps two strands of one band from passing
     /// for a loop. Zero in the paper's form.
     pub openness: f64,
@@ -37,13 +40,15 @@ const LEAST_LOOP: f64 = 10.0;
 /// `rho` as given, in edges; else half the root of the number of points in the paper's form (section 3.2), and a length
 /// that small holes still have in the robust form.
 pub fn reach(params: &SpanningParams, form: PenaltyForm, points: usize) -> Reach {
-    let openness = if form == PenaltyForm::Paper { 0.0 } else { 0.5 };
+    let (openness, border_hops) = if form == PenaltyForm::Paper { (0.0, 1) } else { (0.5, 2) };
     match (params.rho, form) {
-        (Auto::Given(rho), _) => Reach { rho: rho as f64, in_edges: true, openness },
+        (Auto::Given(rho), _) => Reach { rho: rho as f64, in_edges: true, border_hops, openness },
         (Auto::Auto, PenaltyForm::Paper) => {
-            Reach { rho: 0.5 * (points as f64).sqrt(), in_edges: true, openness }
+            Reach { rho: 0.5 * (points as f64).sqrt(), in_edges: true, border_hops, openness }
         }
-        (Auto::Auto, PenaltyForm::Robust) => Reach { rho: LEAST_LOOP, in_edges: false, openness },
+        (Auto::Auto, PenaltyForm::Robust) => {
+            Reach { rho: LEAST_LOOP, in_edges: false, border_hops, openness }
+        }
     }
 }
 
@@ -55,11 +60,11 @@ pub fn link(
     params: &SpanningParams,
     reach: Reach,
 ) -> Pattern {
-    let lines = |wanted: bool, penalties: &Penalties| -> LineGraph {
+    let lines = |wanted: bool, penalties: &Penalties, hops: usize| -> LineGraph {
         if !wanted {
             return LineGraph::default();
         }
-        let edges = candidate_edges(graph, measure, penalties, resolution, params.tau);
+        let edges = candidate_edges(graph, measure, penalties, resolution, params.tau, hops);
         let mut lines = minimum_spanning_graph(penalties, &edges, resolution, reach);
         prune(&mut lines, resolution, reach);
         if reach.openness > 0.0 {
@@ -68,5 +73,8 @@ pub fn link(
         }
         lines
     };
-    Pattern { crease: lines(params.creases, &measure.crease), border: lines(params.borders, &measure.border) }
+    Pattern {
+        crease: lines(params.creases, &measure.crease, 1),
+        border: lines(params.borders, &measure.border, reach.border_hops),
+    }
 }

@@ -59,7 +59,7 @@ fn append(
 /// The span that suits the noise: more data for a control point where each says less.
 fn span(params: &SplineParams, resolution: Resolution) -> f64 {
     let ratio = resolution.noise / resolution.spacing;
-    params.span_spacings.or(|| 3.0 + 6.0 * ratio.min(1.0)) * resolution.spacing
+    params.span_spacings.or(|| 3.0 + 6.0 * ratio.min(1.0)) * resolution.unit()
 }
 
 fn strip(

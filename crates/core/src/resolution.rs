@@ -2,7 +2,7 @@
 
 use crate::detect::tensor::ellipsoid;
 use crate::math::vec3::distance;
-use crate::neighbors::Neighbors;
+use crate::neighbors::{Neighbors, riemannian::Scratch};
 use rayon::prelude::*;
 
 /// Mean spacing and noise of a cloud, local frame.
@@ -15,33 +15,47 @@ pub struct Resolution {
 }
 
 /// Points looked at for the estimate; more change it by less than a percent.
-const SAMPLES: usize = 40_000;
+const SAMPLES: usize = 20_000;
 /// Sizes of the local plane fits, own point included, with the 30 % quantile of the root of a chi-square variable of
 /// `size - 3` degrees of freedom over those degrees: what a fit to pure noise of standard deviation 1 shows there.
 const FITS: [(usize, f64); 2] = [(9, 0.799), (13, 0.852)];
+/// The same quantile for the hundred points and more of a neighbourhood by graph distance.
+const WIDE_QUANTILE: f64 = 0.96;
+/// Greatest graph distance that noise is looked for at.
+const WIDEST: usize = 5;
 /// A low quantile over the points keeps creases and curved places out.
 const QUANTILE: f64 = 0.3;
+/// A neighbourhood is flat if its residual is at most this share of its radius: else it lies within the noise, and shows
+/// its own size rather than the noise's.
+const FLAT: f64 = 0.25;
 
 impl Resolution {
-    /// Estimates both from `nearest`, the lists of nearest neighbours in order of distance.
+    /// Estimates both from `nearest`, the lists of nearest neighbours in order of distance, and the graph made of them.
     ///
-    /// Noise is the residual of local plane fits: of several sizes the least, as curvature only adds to it.
-    pub fn estimate(points: &[[f64; 3]], nearest: &Neighbors) -> Resolution {
+    /// Noise is the residual of local plane fits: of several sizes the least that is flat, as curvature only adds to it; of
+    /// neighbourhoods of growing graph distance the first that is flat, where none of those was.
+    pub fn estimate(points: &[[f64; 3]], nearest: &Neighbors, graph: &Neighbors) -> Resolution {
         let step = points.len().div_ceil(SAMPLES).max(1);
         let chosen: Vec<usize> = (0..points.len()).step_by(step).collect();
         let near: Vec<f64> = chosen.par_iter().map(|&i| mean_distance(points, i, nearest.of(i))).collect();
         let raw = near.iter().sum::<f64>() / near.len().max(1) as f64;
-        let noise = FITS
-            .iter()
-            .filter_map(|&(size, scale)| residual_quantile(points, nearest, &chosen, size).map(|r| r / scale))
-            .min_by(f64::total_cmp)
-            .unwrap_or(0.0);
+        let small = FITS.iter().filter_map(|&(size, scale)| {
+            let fits = chosen.iter().filter(|&&i| nearest.of(i).len() >= size - 1);
+            flat_residual(points, fits.map(|&i| (i, nearest.of(i)[..size - 1].to_vec())).collect(), scale)
+        });
+        let noise =
+            small.min_by(f64::total_cmp).or_else(|| wide_noise(points, graph, &chosen)).unwrap_or(0.0);
         // Noise pushes neighbours apart: measured on planes, the six nearest lie at h (1 + 3/4 (sigma / h)^2).
         let mut spacing = raw;
         for _ in 0..8 {
             spacing = raw / (1.0 + 0.75 * (noise / spacing).powi(2).min(1.0));
         }
         Resolution { spacing, noise }
+    }
+
+    /// The length below which nothing can be told: the spacing, or twice the noise if that is more.
+    pub fn unit(&self) -> f64 {
+        self.spacing.max(2.0 * self.noise)
     }
 }
 
@@ -50,19 +64,39 @@ fn mean_distance(points: &[[f64; 3]], i: usize, nearest: &[u32]) -> f64 {
     six.iter().map(|&j| distance(points[i], points[j as usize])).sum::<f64>() / six.len().max(1) as f64
 }
 
-/// The [`QUANTILE`] over the chosen points of the plane residual, unbiased for the three parameters of the plane.
-fn residual_quantile(points: &[[f64; 3]], nearest: &Neighbors, chosen: &[usize], size: usize) -> Option<f64> {
-    let mut residuals: Vec<f64> = chosen
+/// The noise in neighbourhoods of graph distance two and more: the first that is flat, else the widest.
+fn wide_noise(points: &[[f64; 3]], graph: &Neighbors, chosen: &[usize]) -> Option<f64> {
+    let few: Vec<usize> = chosen.iter().copied().step_by(chosen.len().div_ceil(2000).max(1)).collect();
+    (2..=WIDEST).find_map(|hops| {
+        let mut scratch = Scratch::default();
+        let sets = few.iter().map(|&i| (i, graph.hops(i, hops, &mut scratch).to_vec())).collect();
+        flat_residual(points, sets, WIDE_QUANTILE)
+    })
+}
+
+/// The [`QUANTILE`] of the plane residuals over `scale`, unbiased for the three parameters of the plane; `None` if the
+/// neighbourhoods are not flat.
+fn flat_residual(points: &[[f64; 3]], sets: Vec<(usize, Vec<u32>)>, scale: f64) -> Option<f64> {
+    let fits: Vec<(f64, f64)> = sets
         .par_iter()
-        .filter(|&&i| nearest.of(i).len() >= size - 1)
-        .map(|&i| {
-            let fit = ellipsoid(points, i, &nearest.of(i)[..size - 1]);
-            (fit.axes.values[0].max(0.0) * size as f64 / (size - 3) as f64).sqrt()
+        .filter(|(_, set)| set.len() > 3)
+        .map(|(i, set)| {
+            let fit = ellipsoid(points, *i, set);
+            let size = fit.count as f64;
+            // The radius of the disc with these variances along its plane.
+            let radius = (2.0 * (fit.axes.values[1] + fit.axes.values[2])).sqrt();
+            ((fit.axes.values[0].max(0.0) * size / (size - 3.0)).sqrt(), radius)
         })
         .collect();
-    if residuals.is_empty() {
+    if fits.is_empty() {
         return None;
     }
-    let rank = (QUANTILE * (residuals.len() - 1) as f64) as usize;
-    Some(*residuals.select_nth_unstable_by(rank, f64::total_cmp).1)
+    let residual = quantile(fits.iter().map(|f| f.0).collect()) / scale;
+    let radius = quantile(fits.iter().map(|f| f.1).collect());
+    (residual <= FLAT * radius).then_some(residual)
+}
+
+fn quantile(mut values: Vec<f64>) -> f64 {
+    let rank = (QUANTILE * (values.len() - 1) as f64) as usize;
+    *values.select_nth_unstable_by(rank, f64::total_cmp).1
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use lineament::frame::Frame;
-use lineament::neighbors::all_nearest;
+use lineament::neighbors::{all_nearest, riemannian};
 use lineament::resolution::Resolution;
 use lineament::{Cloud, Column};
 use lineament_io::ReadOptions;
@@ -59,7 +59,9 @@ fn cloud_lines(text: &mut String, cloud: &Cloud) -> Result<(), Failure> {
         line(text, axis, format!("{min} to {max} (extent {})", figure(max - min)));
     }
     if local.positions.len() > 1 {
-        let resolution = Resolution::estimate(&local.positions, &all_nearest(&local.positions, NEIGHBORS));
+        let nearest = all_nearest(&local.positions, NEIGHBORS);
+        let graph = riemannian::graph(&local.positions, &nearest);
+        let resolution = Resolution::estimate(&local.positions, &nearest, &graph);
         line(text, "spacing", figure(resolution.spacing * local.frame.scale));
         if local.positions.len() >= LEAST_FOR_NOISE {
             let noise = figure(resolution.noise * local.frame.scale);

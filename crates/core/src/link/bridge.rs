@@ -37,7 +37,7 @@ enum Bridge {
 
 /// Joins loose ends, the cheapest first, in rounds of growing reach.
 pub fn bridge(lines: &mut LineGraph, resolution: Resolution) {
-    let h = resolution.spacing;
+    let h = resolution.unit();
     for (reach, angle) in GAPS {
         let ends = loose_ends(lines, h);
         let mut bridges = facing(&ends, reach * h, angle);

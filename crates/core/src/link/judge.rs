@@ -34,7 +34,7 @@ pub fn judge(lines: &mut LineGraph, resolution: Resolution, reach: Reach) {
 fn is_round(lines: &LineGraph, path: &Path, resolution: Resolution) -> bool {
     let total = |values: &[f32]| path.vertices.iter().map(|&v| f64::from(values[v as usize])).sum::<f64>();
     let loose = path.ends.is_some_and(|e| e.iter().any(|&v| lines.edges[v as usize].len() == 1));
-    if !loose && path.ends.is_some() && length(lines, &path.vertices) < WITHIN_JUNCTION * resolution.spacing {
+    if !loose && path.ends.is_some() && length(lines, &path.vertices) < WITHIN_JUNCTION * resolution.unit() {
         return false;
     }
     let expected = total(&lines.expected);
@@ -65,7 +65,7 @@ fn drop_short_pieces(lines: &mut LineGraph, resolution: Resolution, least: f64) 
         }
     }
     for v in 0..lines.edges.len() as u32 {
-        if lengths[sets.find(v) as usize] < least * resolution.spacing {
+        if lengths[sets.find(v) as usize] < least * resolution.unit() {
             lines.edges[v as usize].clear();
         }
     }

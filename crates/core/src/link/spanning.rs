@@ -56,7 +56,7 @@ fn closes_long(
     }
     // A cycle much longer than it is wide may be two strands of one band: look at the shortest one whole.
     match walker.path(lines, edge.a, edge.b, 8.0 * reach.rho) {
-        Some(path) => openness(&lines.positions, &path) >= reach.openness * resolution.spacing,
+        Some(path) => openness(&lines.positions, &path) >= reach.openness * resolution.unit(),
         None => true,
     }
 }

@@ -47,7 +47,7 @@ impl Walker {
             reached: vec![0.0; vertices],
             heap: BinaryHeap::new(),
             in_edges: reach.in_edges,
-            unit: resolution.spacing,
+            unit: resolution.unit(),
         }
     }
 

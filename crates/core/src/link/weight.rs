@@ -2,7 +2,7 @@
 
 use crate::math::vec3::{add_scaled, dot, norm, scale, sub};
 use crate::measure::{Direction, Measure, Penalties};
-use crate::neighbors::Neighbors;
+use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::resolution::Resolution;
 use rayon::prelude::*;
 
@@ -17,7 +17,7 @@ pub struct Candidate {
     pub b: u32,
 }
 
-/// The edges of the neighbour graph between candidates whose penalty share stays below `tau`, in ascending order of weight,
+/// The edges between candidates at most `hops` apart in the neighbour graph whose penalty share stays below `tau`, in ascending order of weight,
 /// ties by index.
 pub fn candidate_edges(
     graph: &Neighbors,
@@ -25,18 +25,22 @@ pub fn candidate_edges(
     penalties: &Penalties,
     resolution: Resolution,
     tau: f64,
+    hops: usize,
 ) -> Vec<Candidate> {
     let mut edges: Vec<Candidate> = (0..penalties.len())
         .into_par_iter()
         .with_min_len(256)
-        .flat_map_iter(|a| {
+        .map_init(Scratch::default, |scratch, a| {
             let own = penalties.points[a];
-            graph.of(own as usize).iter().filter(move |&&other| other > own).filter_map(move |other| {
+            let near = graph.hops(own as usize, hops, scratch).iter().filter(|&&other| other > own);
+            let edges = near.filter_map(|other| {
                 let b = penalties.points.binary_search(other).ok()?;
                 let density = f64::from(measure.density[own as usize] + measure.density[*other as usize]);
                 weigh(penalties, a, b, density, resolution, tau)
-            })
+            });
+            edges.collect::<Vec<_>>()
         })
+        .flatten_iter()
         .collect();
     edges.par_sort_unstable_by(|x, y| x.weight.total_cmp(&y.weight).then((x.a, x.b).cmp(&(y.a, y.b))));
     edges
@@ -63,7 +67,7 @@ fn weigh(
                     let certainty = norm(vector);
                     let unit = scale(vector, 1.0 / certainty.max(1e-9));
                     let across = norm(add_scaled(edge, unit, -dot(edge, unit)));
-                    certainty * (across / resolution.spacing).min(1.0)
+                    certainty * (across / resolution.unit()).min(1.0)
                 }
             };
             penalty.min(f64::from(penalties.corner[i]))

@@ -60,7 +60,7 @@ fn is_short(lines: &LineGraph, path: &Path, resolution: Resolution) -> bool {
         .windows(2)
         .map(|w| distance(lines.positions[w[0] as usize], lines.positions[w[1] as usize]))
         .sum();
-    junctions && length <= CONTRACTED * resolution.spacing
+    junctions && length <= CONTRACTED * resolution.unit()
 }
 
 /// The mean of the vertices, those that know no preferred direction counting most.

@@ -101,7 +101,7 @@ impl Context<'_> {
         angles: &mut Vec<f64>,
         section: &mut CrossSection,
     ) -> Point {
-        let near = self.graph.of(i);
+        let near = self.graph.hops(i, self.hops.max(2) - 1, scratch);
         let (tensor, pull) = self.normal_tensor(i, near);
         let fold = tensor.values[1].max(0.0).sqrt();
         let penalty = 1.0 - fold / (2.0 * self.least_fold);
@@ -149,7 +149,7 @@ impl Context<'_> {
             let along = dot(tensor.vectors[k], pull) / tensor.values[k].max(1e-12);
             shift = add_scaled(shift, tensor.vectors[k], along);
         }
-        let reach = 2.0 * self.resolution.spacing + 2.0 * self.resolution.noise;
+        let reach = 2.0 * self.resolution.unit() + 2.0 * self.resolution.noise;
         let foot = if norm(shift) <= reach { add(self.points[i], shift) } else { self.points[i] };
         let certainty = if middle > 0.0 { 1.0 - (least / middle).sqrt() } else { 0.0 };
         // At a corner there is no one cross-section: that says nothing.

@@ -24,7 +24,7 @@ pub fn sharpness(
     scale: Resolution,
     section: &mut CrossSection,
 ) -> Fold {
-    let h = scale.spacing;
+    let h = scale.unit();
     let along = tensor.vectors[0];
     let (up, across) = frame(near.clone(), tensor, foot);
     section.clear();
