@@ -40,7 +40,7 @@ const LEAST_LOOP: f64 = 10.0;
 /// `rho` as given, in edges; else half the root of the number of points in the paper's form (section 3.2), and a length
 /// that small holes still have in the robust form.
 pub fn reach(params: &SpanningParams, form: PenaltyForm, points: usize) -> Reach {
-    let (openness, border_hops) = if form == PenaltyForm::Paper { (0.0, 1) } else { (0.5, 2) };
+    let (openness, border_hops) = if form == PenaltyForm::Paper { (0.0, 1) } else { (0.9, 2) };
     match (params.rho, form) {
         (Auto::Given(rho), _) => Reach { rho: rho as f64, in_edges: true, border_hops, openness },
         (Auto::Auto, PenaltyForm::Paper) => {

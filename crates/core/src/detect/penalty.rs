@@ -3,6 +3,7 @@
 //!
 //! Two forms. [`paper`] is as printed. [`robust`], the default, departs where the paper is fragile: see there.
 
+mod align;
 mod border;
 pub mod paper;
 pub mod robust;

@@ -13,7 +13,8 @@
 //! * **Border.** The open angle counts only if it is wider than chance would leave it in as many directions, and not at an
 //!   acute crease, where one face hides the other.
 
-use super::border::{align, border};
+use super::align::align;
+use super::border::border;
 use super::sharpness::sharpness;
 use super::{Derived, density};
 use crate::detect::fold::{CrossSection, Fold};
@@ -88,7 +89,10 @@ pub fn penalties(
             measure.border.push(i as u32, border);
         }
     }
-    align(points, graph, &mut measure.border, resolution);
+    // Feet scatter with the noise, and a band of them is as wide; the row of points behind a border is ragged without any.
+    let (unit, blur) = (resolution.unit(), (4.0 * resolution.noise).min(2.0 * resolution.unit()));
+    align(graph, &mut measure.crease, derived.hops.max(2), blur, blur);
+    align(graph, &mut measure.border, 2, 2.0 * unit, 2.0 * unit);
     measure.normal = context.normals.vectors;
     measure
 }
