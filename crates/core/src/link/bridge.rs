@@ -10,7 +10,10 @@ use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
 /// Gap in spacings and the angle up to which both ends may look aside from it, degrees; nearest first.
-const GAPS: [(f64, f64); 4] = [(2.5, 55.0), (4.0, 35.0), (6.0, 20.0), (10.0, 9.0)];
+const GAPS: [(f64, f64); 4] = [(3.0, 60.0), (4.5, 40.0), (6.5, 25.0), (10.0, 10.0)];
+/// Ends this near are joined whatever they look at, spacings; in the last round farther, as nothing better was found: one of
+/// them has turned a corner.
+const TOUCHING: [f64; 2] = [1.5, 3.5];
 /// Length of strip that an end's direction is taken from, spacings.
 const TANGENT: f64 = 4.0;
 /// How far ahead of an end it may run into a strip, spacings, and how far aside it may look, degrees.
@@ -40,7 +43,8 @@ pub fn bridge(lines: &mut LineGraph, resolution: Resolution) {
     let h = resolution.unit();
     for (reach, angle) in GAPS {
         let ends = loose_ends(lines, h);
-        let mut bridges = facing(&ends, reach * h, angle);
+        let touching = TOUCHING[usize::from(reach == GAPS[GAPS.len() - 1].0)];
+        let mut bridges = facing(&ends, reach * h, angle, touching * h);
         if reach == GAPS[1].0 {
             bridges.extend(into_strips(lines, &ends, h));
             bridges.extend(meetings(&ends, h));
@@ -87,7 +91,7 @@ fn loose_ends(lines: &LineGraph, h: f64) -> Vec<End> {
 }
 
 /// Pairs of ends that look at each other over at most `reach`, with their cost.
-fn facing(ends: &[End], reach: f64, angle_deg: f64) -> Vec<(f64, Bridge)> {
+fn facing(ends: &[End], reach: f64, angle_deg: f64, touching: f64) -> Vec<(f64, Bridge)> {
     let positions: Vec<[f64; 3]> = ends.iter().map(|e| e.position).collect();
     let index = Index::build(&positions);
     let cosine = angle_deg.to_radians().cos();
@@ -100,7 +104,7 @@ fn facing(ends: &[End], reach: f64, angle_deg: f64) -> Vec<(f64, Bridge)> {
             let aside =
                 [dot(end.tangent, gap), -dot(ends[other].tangent, gap)].map(|d| d / length.max(1e-12));
             let straight = aside[0].min(aside[1]);
-            if length <= 0.3 * reach / GAPS.len() as f64 || straight >= cosine {
+            if length <= touching || straight >= cosine {
                 let cost = length * (2.0 - straight);
                 bridges.push((cost, Bridge::Edge(end.vertex, ends[other].vertex)));
             }

@@ -6,8 +6,9 @@
 
 use crate::detect::open_angle::{chance_opening, open_angle};
 use crate::detect::tensor::ellipsoid;
-use crate::math::vec3::{add_scaled, cross, norm, sub};
+use crate::math::vec3::{add_scaled, cross, dot, norm, sub};
 use crate::measure::Row;
+use crate::resolution::Resolution;
 use std::f64::consts::{PI, TAU};
 
 /// Chance that a point within the surface shows its open angle by accident.
@@ -19,7 +20,13 @@ const LEAST_LEAN: f64 = 0.2;
 const TURN: f64 = 1.2 * PI;
 
 /// The border penalties of point `i` with neighbourhood `wide`; `None` if it cannot lie on a border.
-pub fn border(points: &[[f64; 3]], i: usize, wide: &[u32], angles: &mut Vec<f64>) -> Option<Row> {
+pub fn border(
+    points: &[[f64; 3]],
+    i: usize,
+    wide: &[u32],
+    scale: Resolution,
+    angles: &mut Vec<f64>,
+) -> Option<Row> {
     let (sum, distances) = wide.iter().fold(([0.0; 3], 0.0), |(sum, total), &j| {
         let d = sub(points[j as usize], points[i]);
         (add_scaled(sum, d, 1.0), total + norm(d))
@@ -32,13 +39,35 @@ pub fn border(points: &[[f64; 3]], i: usize, wide: &[u32], angles: &mut Vec<f64>
     if opening.angle < chance_opening(angles.len(), CHANCE).max(0.4 * PI) {
         return None;
     }
+    let along = cross(normal, opening.middle);
+    let outward = outermost(points, i, wide, along, opening.middle, scale);
     Some(Row {
         scalar: (1.0 - opening.angle / TAU) as f32,
-        vector: cross(normal, opening.middle).map(|x| x as f32),
+        vector: along.map(|x| x as f32),
         corner: if opening.angle > TURN { 0.5 } else { 1.0 },
-        foot: points[i],
+        foot: add_scaled(points[i], opening.middle, outward),
         evidence: 0.0,
         expected: 0.0,
         fold: 0.0,
     })
+}
+
+/// How far the border lies outward of point `i`: a little beyond the outermost of the points beside it.
+///
+/// In a strip two spacings wide with one point a square spacing, the outermost one lies .35 spacings within the border in
+/// the median; noise carries it outward by about as much of its standard deviation.
+fn outermost(
+    points: &[[f64; 3]],
+    i: usize,
+    wide: &[u32],
+    along: [f64; 3],
+    outward: [f64; 3],
+    scale: Resolution,
+) -> f64 {
+    let beside = wide
+        .iter()
+        .map(|&j| sub(points[j as usize], points[i]))
+        .filter(|&d| dot(d, along).abs() <= scale.unit());
+    let farthest = beside.map(|d| dot(d, outward)).fold(0.0, f64::max);
+    farthest + 0.35 * (scale.spacing - scale.noise).max(0.0)
 }

@@ -113,7 +113,11 @@ impl Context<'_> {
         let crease = (penalty < 0.75)
             .then(|| self.crease(i, &tensor, pull, penalty.max(0.0), wide, section))
             .filter(|row| row.evidence > CLEARLY_SMOOTH);
-        let border = if fold < (0.3 * PI).sin() { border(self.points, i, wide, angles) } else { None };
+        let border = if fold < (0.3 * PI).sin() {
+            border(self.points, i, wide, self.resolution, angles)
+        } else {
+            None
+        };
         Point {
             density: density(self.points, self.graph, i) as f32,
             fold: (fold / (2.0 * self.least_fold)).min(1.0) as f32,
