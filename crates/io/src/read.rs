@@ -1,10 +1,16 @@
 //! From an input to a cloud: opening, recognising, dispatching.
+mod e57;
+pub(crate) mod expe;
 mod las;
 mod limit;
+pub(crate) mod npy;
 mod obj;
+pub(crate) mod off;
 mod pcd;
 mod ply;
+pub(crate) mod ptx;
 pub(crate) mod rows;
+pub(crate) mod stl;
 mod table;
 
 use crate::error::Error;
@@ -28,13 +34,15 @@ pub struct ReadOptions {
     /// Bytes that the points of a compressed input may take in memory. `None` is 64 MiB and eight times the input:
     /// enough for what programs write, too little for a small file that unpacks without end.
     pub memory: Option<u64>,
+    /// Read only this scan of an input that holds several, counted from 1.
+    pub scan: Option<usize>,
     /// Take the input for this format, whatever it looks like.
     pub format: Option<Format>,
 }
 
 impl Default for ReadOptions {
     fn default() -> Self {
-        Self { salvage: false, attributes: true, hash: false, memory: None, format: None }
+        Self { salvage: false, attributes: true, hash: false, memory: None, scan: None, format: None }
     }
 }
 
@@ -138,10 +146,11 @@ pub fn read_from(reader: Box<dyn Read + Send>, name: &str, options: &ReadOptions
 
 fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
     let name = source.name().to_string();
+    let length = source.remaining();
     let start = source.peek(1 << 16)?;
     let format = match options.format {
         Some(format) if !start.is_empty() => format,
-        _ => Format::detect(start, &name)?,
+        _ => Format::detect(start, length, &name)?,
     };
     let decoded = match format {
         Format::Ply => ply::read(&mut source, options)?,
@@ -149,6 +158,12 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         Format::Obj => obj::read(&mut source, options)?,
         Format::Pcd => pcd::read(&mut source, options)?,
         Format::Las => las::read(&mut source, options)?,
+        Format::E57 => e57::read(&mut source, options)?,
+        Format::Ptx => ptx::read(&mut source, options)?,
+        Format::Stl => stl::read(&mut source, options)?,
+        Format::Off => off::read(&mut source, options)?,
+        Format::Npy => npy::read(&mut source, options)?,
+        Format::Expe => expe::read(&mut source, options)?,
     };
     source.drain()?;
     let Decoded { cloud, ignored, missing, crs, las } = decoded;
