@@ -1,13 +1,18 @@
 //! From networks and classified points to files.
 
 mod check;
+mod csv;
 mod dxf;
+mod geojson;
+mod glb;
 mod json;
 mod network_obj;
 mod network_ply;
 mod npy;
 mod points_ply;
 mod polyline;
+mod svg;
+mod vtp;
 
 use crate::error::Error;
 use crate::output::Output;
@@ -35,6 +40,12 @@ pub struct NetworkContext {
     pub spacing: f64,
     /// Estimated noise (standard deviation across the surface), in the unit of the input.
     pub noise: Option<f64>,
+    /// The coordinate reference system, as `Scan::crs` gives it.
+    pub crs: Option<String>,
+    /// The direction in which drawings look; `None` for the best one.
+    pub view: Option<[f64; 3]>,
+    /// Millimetres of a drawing for one unit of the input; `None` fits the drawing to 200 mm.
+    pub millimetres: Option<f64>,
 }
 
 /// A parameter and its value.
@@ -69,6 +80,16 @@ pub enum NetworkFormat {
     Ply,
     /// 3D polylines, release 12.
     Dxf,
+    /// A drawing in millimetres.
+    Svg,
+    /// Lines and points in the frame of the input.
+    GeoJson,
+    /// Binary glTF lines.
+    Glb,
+    /// VTK polygonal data.
+    Vtp,
+    /// A row a point.
+    Csv,
 }
 
 /// A format that classified points are written in.
@@ -81,11 +102,16 @@ pub enum PointFormat {
     Ply,
 }
 
-const NETWORK_FORMATS: [(NetworkFormat, &str); 4] = [
+const NETWORK_FORMATS: [(NetworkFormat, &str); 9] = [
     (NetworkFormat::Json, "json"),
     (NetworkFormat::Obj, "obj"),
     (NetworkFormat::Ply, "ply"),
     (NetworkFormat::Dxf, "dxf"),
+    (NetworkFormat::Svg, "svg"),
+    (NetworkFormat::GeoJson, "geojson"),
+    (NetworkFormat::Glb, "glb"),
+    (NetworkFormat::Vtp, "vtp"),
+    (NetworkFormat::Csv, "csv"),
 ];
 
 const POINT_FORMATS: [(PointFormat, &str); 2] = [(PointFormat::Npy, "npy"), (PointFormat::Ply, "ply")];
@@ -170,6 +196,11 @@ pub fn write_network_to(
         NetworkFormat::Obj => network_obj::write(out, network, context),
         NetworkFormat::Ply => network_ply::write(out, network, context),
         NetworkFormat::Dxf => dxf::write(out, network),
+        NetworkFormat::Svg => svg::write(out, network, context),
+        NetworkFormat::GeoJson => geojson::write(out, network, context),
+        NetworkFormat::Glb => glb::write(out, network),
+        NetworkFormat::Vtp => vtp::write(out, network),
+        NetworkFormat::Csv => csv::write(out, network),
     }
 }
 
