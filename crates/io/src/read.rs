@@ -1,7 +1,8 @@
 //! From an input to a cloud: opening, recognising, dispatching.
 mod e57;
 pub(crate) mod expe;
-mod las;
+mod join;
+pub(crate) mod las;
 mod limit;
 pub(crate) mod npy;
 mod obj;
@@ -10,6 +11,7 @@ mod pcd;
 mod ply;
 pub(crate) mod ptx;
 pub(crate) mod rows;
+mod select;
 pub(crate) mod stl;
 mod table;
 
@@ -22,7 +24,7 @@ use std::io::Read;
 use std::path::Path;
 
 /// How an input is read.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ReadOptions {
     /// Take what is whole of an input that ends early, instead of refusing it. `Scan::missing` then says what
     /// is not there.
@@ -36,13 +38,29 @@ pub struct ReadOptions {
     pub memory: Option<u64>,
     /// Read only this scan of an input that holds several, counted from 1.
     pub scan: Option<usize>,
+    /// Keep only every n-th point.
+    pub every: Option<usize>,
+    /// Keep only one point, the one nearest to the middle, of every cube with this edge, in the unit of the input.
+    pub voxel: Option<f64>,
+    /// Keep only points from the first corner to the second, both included.
+    pub bounds: Option<[[f64; 3]; 2]>,
     /// Take the input for this format, whatever it looks like.
     pub format: Option<Format>,
 }
 
 impl Default for ReadOptions {
     fn default() -> Self {
-        Self { salvage: false, attributes: true, hash: false, memory: None, scan: None, format: None }
+        Self {
+            salvage: false,
+            attributes: true,
+            hash: false,
+            memory: None,
+            scan: None,
+            every: None,
+            voxel: None,
+            bounds: None,
+            format: None,
+        }
     }
 }
 
@@ -115,6 +133,7 @@ impl Decoded {
     }
 }
 
+pub use join::read_all;
 pub use las::{LasFrame, Record as LasRecord};
 
 /// Reads the point cloud in the file at `path`; `-` is standard input.
@@ -166,7 +185,8 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         Format::Expe => expe::read(&mut source, options)?,
     };
     source.drain()?;
-    let Decoded { cloud, ignored, missing, crs, las } = decoded;
+    let Decoded { mut cloud, mut ignored, missing, crs, las } = decoded;
+    select::select(&mut cloud, options, &mut ignored);
     let (sha256, bytes) = (source.sha256(), source.offset());
     Ok(Scan { cloud, format, name, ignored, missing, crs, las, sha256, bytes })
 }

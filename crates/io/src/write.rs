@@ -9,13 +9,18 @@ mod json;
 mod network_obj;
 mod network_ply;
 mod npy;
+mod point_rows;
+mod points_las;
+mod points_pcd;
 mod points_ply;
+mod points_text;
 mod polyline;
 mod svg;
 mod vtp;
 
 use crate::error::Error;
 use crate::output::Output;
+use crate::read::LasFrame;
 use lineament::{Cloud, Network};
 use std::fmt;
 use std::io::{self, Write};
@@ -66,6 +71,8 @@ pub struct PointTable<'a> {
     pub classes: &'a [u8],
     /// `(N)` scores of the detector, or nothing.
     pub scores: &'a [f32],
+    /// How a LAS input stored its coordinates, for LAS outputs: `Scan::las`.
+    pub las: Option<&'a LasFrame>,
 }
 
 /// A format that networks are written in.
@@ -100,6 +107,16 @@ pub enum PointFormat {
     Npy,
     /// Positions, class, score and the attributes of the input, binary.
     Ply,
+    /// The same as PCD, binary.
+    Pcd,
+    /// The same as text with blanks.
+    Xyz,
+    /// The same as text with commas.
+    Csv,
+    /// The same as LAS 1.4.
+    Las,
+    /// The same as LAZ 1.4.
+    Laz,
 }
 
 const NETWORK_FORMATS: [(NetworkFormat, &str); 9] = [
@@ -114,7 +131,15 @@ const NETWORK_FORMATS: [(NetworkFormat, &str); 9] = [
     (NetworkFormat::Csv, "csv"),
 ];
 
-const POINT_FORMATS: [(PointFormat, &str); 2] = [(PointFormat::Npy, "npy"), (PointFormat::Ply, "ply")];
+const POINT_FORMATS: [(PointFormat, &str); 7] = [
+    (PointFormat::Npy, "npy"),
+    (PointFormat::Ply, "ply"),
+    (PointFormat::Pcd, "pcd"),
+    (PointFormat::Xyz, "xyz"),
+    (PointFormat::Csv, "csv"),
+    (PointFormat::Las, "las"),
+    (PointFormat::Laz, "laz"),
+];
 
 impl fmt::Display for NetworkFormat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -227,5 +252,10 @@ pub fn write_points_to(out: &mut dyn Write, format: PointFormat, table: &PointTa
     match format {
         PointFormat::Npy => npy::write_classes(out, table.classes),
         PointFormat::Ply => points_ply::write(out, table),
+        PointFormat::Pcd => points_pcd::write(out, table),
+        PointFormat::Xyz => points_text::write(out, table, ' '),
+        PointFormat::Csv => points_text::write(out, table, ','),
+        PointFormat::Las => points_las::write(out, table, false),
+        PointFormat::Laz => points_las::write(out, table, true),
     }
 }

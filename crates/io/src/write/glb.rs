@@ -30,7 +30,7 @@ pub(super) fn write(out: &mut dyn Write, network: &Network) -> io::Result<()> {
         pairs.collect::<Vec<u32>>()
     });
     let mut json = json(&local, &segments, middle);
-    while json.len() % 4 != 0 {
+    while !json.len().is_multiple_of(4) {
         json.push(' ');
     }
     let binary = 12 * local.len() + 4 * segments.iter().map(Vec::len).sum::<usize>();
