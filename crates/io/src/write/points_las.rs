@@ -134,8 +134,10 @@ fn grid(table: &PointTable) -> ([f64; 3], [f64; 3]) {
     let limit = |a: usize, pick: fn(f64, f64) -> f64| finite().map(|p| p[a]).reduce(pick).unwrap_or(0.0);
     let of = |a: usize| {
         let (low, high) = (limit(a, f64::min), limit(a, f64::max));
-        let least = ((high - low) / 4e9).max(high.abs().max(low.abs()) * 1e-15).max(1e-12);
-        (10f64.powi(least.log10().ceil() as i32), (low + 0.5 * (high - low)).round())
+        let offset = (low + 0.5 * (high - low)).round();
+        let reach = (high - offset).max(offset - low);
+        let least = (reach / 2e9).max(high.abs().max(low.abs()) * 1e-15).max(1e-12);
+        (10f64.powi(least.log10().ceil() as i32), offset)
     };
     let axes = [of(0), of(1), of(2)];
     (axes.map(|axis| axis.0), axes.map(|axis| axis.1))
