@@ -4,7 +4,7 @@
 mod common;
 use common::example;
 use std::process::{Command, Stdio};
-use std::time::Duration;
+use std::time::Instant;
 
 #[test]
 fn after_a_kill_the_old_file_stands_or_the_whole_new_one() {
@@ -12,10 +12,13 @@ fn after_a_kill_the_old_file_stands_or_the_whole_new_one() {
     for extension in ["json", "obj", "ply"] {
         let folder = tempfile::tempdir().unwrap();
         let target = folder.path().join(format!("lines.{extension}"));
+        let start = Instant::now();
         assert!(Command::new(&writer).args(["--points", "20000"]).arg(&target).status().unwrap().success());
+        // Instants from the start of a run to well after its end.
+        let step = start.elapsed() / 70;
         let whole = std::fs::read(&target).unwrap();
         let mut killed = 0;
-        for round in 0..100u64 {
+        for round in 0..100u32 {
             std::fs::write(&target, "old").unwrap();
             let mut child = Command::new(&writer)
                 .args(["--points", "20000"])
@@ -23,7 +26,7 @@ fn after_a_kill_the_old_file_stands_or_the_whole_new_one() {
                 .stderr(Stdio::null())
                 .spawn()
                 .unwrap();
-            std::thread::sleep(Duration::from_micros(round * 37 % 9000 + 200));
+            std::thread::sleep(step * (round * 37 % 100));
             let _ = child.kill();
             killed += u32::from(!child.wait().unwrap().success());
             let there = std::fs::read(&target).unwrap();
