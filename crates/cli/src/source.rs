@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use lineament::{Cloud, shapes};
-use lineament_io::{ReadOptions, read};
+use lineament_io::{LasFrame, ReadOptions, read};
 
 use crate::args::Source;
 use crate::failure::{Code, Failure, shown};
@@ -18,6 +18,9 @@ pub struct Input {
     /// Files read, for the check that no output names one.
     pub files: Vec<PathBuf>,
     pub sha256: Option<String>,
+    /// The coordinate reference system, and how a LAS file stores its coordinates, for outputs that are to be like it.
+    pub crs: Option<String>,
+    pub las: Option<LasFrame>,
     /// The name of the format, and the number of bytes; nothing for a generated scan.
     pub format: Option<(String, u64)>,
     /// What was passed over in the file, or is missing from it; a sentence each.
@@ -63,6 +66,8 @@ fn from_file(path: &Path, options: &ReadOptions) -> Result<Input, Failure> {
         name: if is_stdin { "stdin".into() } else { name },
         files: if is_stdin { Vec::new() } else { vec![path.into()] },
         sha256: scan.sha256,
+        crs: scan.crs,
+        las: scan.las,
         format: Some((scan.format.to_string(), scan.bytes)),
         remarks: missing.chain(scan.ignored).collect(),
         cloud: scan.cloud,
@@ -80,6 +85,8 @@ fn from_sample(name: &str, seed: u64) -> Result<Input, Failure> {
         name: format!("sample {name}, seed {seed}"),
         files: Vec::new(),
         sha256: None,
+        crs: None,
+        las: None,
         format: None,
         remarks: Vec::new(),
         seconds: 0.0,

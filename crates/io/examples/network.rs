@@ -1,4 +1,4 @@
-//! Writes a small network in the format of each extension: `network OUT...`.
+//! Writes a network in the format of each extension: `network [--points N] OUT...`; its loop has N points, or 64.
 
 use lineament::curve::BSpline;
 use lineament::{Network, Node, NodeKind, Strip, StripKind};
@@ -8,17 +8,24 @@ use std::path::Path;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let context =
         NetworkContext { program_version: env!("CARGO_PKG_VERSION").into(), ..NetworkContext::default() };
-    for out in std::env::args().skip(1) {
-        write_network(Path::new(&out), &[], &network(), &context)?;
+    let mut arguments: Vec<String> = std::env::args().skip(1).collect();
+    let mut points = 64;
+    if arguments.len() > 1 && arguments[0] == "--points" {
+        points = arguments[1].parse()?;
+        arguments.drain(..2);
+    }
+    let network = network(points);
+    for out in arguments {
+        write_network(Path::new(&out), &[], &network, &context)?;
     }
     Ok(())
 }
 
-/// A crease between two nodes, at map coordinates, and a border loop of 64 points.
-fn network() -> Network {
+/// A crease between two nodes, at map coordinates, and a border loop of so many points.
+fn network(points: usize) -> Network {
     let at = |x: f64, y: f64, z: f64| [665_187.25 + x, 5_648_349.875 + y, 241.5 + z];
     let circle = |i: usize| {
-        let angle = i as f64 / 64.0 * std::f64::consts::TAU;
+        let angle = i as f64 / points as f64 * std::f64::consts::TAU;
         at(angle.cos(), angle.sin(), 0.0)
     };
     let strip = |kind, ends: Option<(u32, u32)>, points: Vec<[f64; 3]>| Strip {
@@ -40,7 +47,7 @@ fn network() -> Network {
         nodes: vec![node(crease[0], NodeKind::Junction), node(crease[2], NodeKind::End)],
         strips: vec![
             strip(StripKind::Crease, Some((0, 1)), crease),
-            strip(StripKind::Border, None, (0..64).map(circle).collect()),
+            strip(StripKind::Border, None, (0..points).map(circle).collect()),
         ],
     }
 }

@@ -157,6 +157,20 @@ pub(crate) fn get(column: &Column, index: usize) -> f64 {
     each_column!(column, values => values.get(index).map_or(f64::NAN, |&value| value.widen()))
 }
 
+/// Values in the smallest integer type that holds them all, or as they are: for inputs that state no type.
+pub(crate) fn narrowed(values: Vec<f64>) -> Column {
+    let kinds = [Scalar::U8, Scalar::I16, Scalar::U16, Scalar::I32, Scalar::U32];
+    let negative_zero = |v: &f64| *v == 0.0 && v.is_sign_negative();
+    let whole = values.iter().all(|v| v.fract() == 0.0 && !negative_zero(v));
+    for kind in kinds.into_iter().filter(|_| whole) {
+        let mut column = kind.column(values.len());
+        if values.iter().all(|&value| push(&mut column, value)) {
+            return column;
+        }
+    }
+    Column::F64(values)
+}
+
 /// Keeps the first `length` values of a column.
 pub(crate) fn truncate(column: &mut Column, length: usize) {
     each_column!(column, values => values.truncate(length));

@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::number::{shown, tokens};
+use crate::read::{expe, npy, off, ptx, stl};
 use std::fmt;
 use std::path::Path;
 
@@ -11,7 +12,7 @@ use std::path::Path;
 pub enum Format {
     /// Polygon file format, ascii or binary.
     Ply,
-    /// Rows of numbers: XYZ, TXT, CSV and their kin.
+    /// Rows of numbers: XYZ, TXT, CSV, ASC, PTS and their kin.
     Table,
     /// Wavefront object.
     Obj,
@@ -19,10 +20,22 @@ pub enum Format {
     Pcd,
     /// LAS and LAZ, and COPC, which is LAZ.
     Las,
+    /// ASTM E2807.
+    E57,
+    /// Leica's organised scans as text.
+    Ptx,
+    /// Triangles, ascii or binary.
+    Stl,
+    /// Geomview's object file format.
+    Off,
+    /// NumPy's array format.
+    Npy,
+    /// Binary point sets of the Expe library.
+    Expe,
 }
 
 /// Format, name in messages, extensions.
-const FORMATS: [(Format, &str, &[&str]); 5] = [
+const FORMATS: [(Format, &str, &[&str]); 11] = [
     (Format::Ply, "PLY", &["ply"]),
     (
         Format::Table,
@@ -32,16 +45,26 @@ const FORMATS: [(Format, &str, &[&str]); 5] = [
     (Format::Obj, "OBJ", &["obj"]),
     (Format::Pcd, "PCD", &["pcd"]),
     (Format::Las, "LAS", &["las", "laz"]),
+    (Format::E57, "E57", &["e57"]),
+    (Format::Ptx, "PTX", &["ptx"]),
+    (Format::Stl, "STL", &["stl"]),
+    (Format::Off, "OFF", &["off"]),
+    (Format::Npy, "NPY", &["npy"]),
+    (Format::Expe, "Expe point set", &[]),
+];
+
+/// First bytes of formats that have them.
+const MAGIC: [(Format, &[u8]); 5] = [
+    (Format::Las, b"LASF"),
+    (Format::E57, b"ASTM-E57"),
+    (Format::Npy, npy::MAGIC),
+    (Format::Expe, expe::MAGIC),
+    (Format::Pcd, b"# .PCD"),
 ];
 
 /// What begins with these bytes is a known format that this version does not read.
-const FOREIGN: [(&[u8], &str); 5] = [
-    (b"ASTM-E57", "E57"),
-    (b"\x93NUMPY", "NPY"),
-    (b"PAR1", "Parquet"),
-    (b"glTF", "GLB"),
-    (b"PK\x03\x04", "a zip archive (NPZ or other)"),
-];
+const FOREIGN: [(&[u8], &str); 3] =
+    [(b"PAR1", "Parquet"), (b"glTF", "GLB"), (b"PK\x03\x04", "a zip archive (NPZ or other)")];
 
 const OBJ_KEYWORDS: [&[u8]; 14] =
     [b"v", b"vn", b"vt", b"vp", b"f", b"l", b"p", b"o", b"g", b"s", b"mtllib", b"usemtl", b"cstype", b"deg"];
@@ -63,13 +86,11 @@ impl Format {
         FORMATS.iter().find(|entry| is(entry)).map(|entry| entry.0)
     }
 
-    /// The format of an input that begins with `start` (several kilobytes, or all of it) and is called `name`.
-    pub(crate) fn detect(start: &[u8], name: &str) -> Result<Format, Error> {
+    /// The format of an input that begins with `start` (several kilobytes, or all of it), has `length` bytes if that
+    /// is known, and is called `name`.
+    pub(crate) fn detect(start: &[u8], length: Option<u64>, name: &str) -> Result<Format, Error> {
         if start.is_empty() {
             return Err(Error::Empty { name: name.into() });
-        }
-        if let Some(format) = by_magic(start) {
-            return Ok(format);
         }
         if let Some((_, what)) = FOREIGN.iter().find(|(magic, _)| start.starts_with(magic)) {
             let advice = "convert it to PLY or XYZ first".into();
@@ -80,21 +101,23 @@ impl Format {
             });
         }
         let named = Path::new(name).extension().and_then(|e| e.to_str()).and_then(Format::parse);
-        if let Some(format) = by_text(start, named) {
-            return Ok(format);
-        }
-        let names: Vec<&str> = FORMATS.iter().map(|(_, name, _)| *name).collect();
-        let known = format!("known formats are {}", names.join(", "));
-        let advice = if start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff") {
-            "it looks like UTF-16 text: save it as UTF-8".into()
-        } else {
-            match named {
-                Some(format) => format!("the name says {format}, the content does not; {known}"),
-                None => known,
-            }
-        };
-        Err(Error::UnknownFormat { name: name.into(), found: shown(&start[..start.len().min(16)]), advice })
+        let found = by_magic(start).or_else(|| stl(start, length, named)).or_else(|| by_text(start, named));
+        found.ok_or_else(|| unknown(start, named, name))
     }
+}
+
+fn unknown(start: &[u8], named: Option<Format>, name: &str) -> Error {
+    let names: Vec<&str> = FORMATS.iter().map(|(_, name, _)| *name).collect();
+    let known = format!("known formats are {}", names.join(", "));
+    let advice = if start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff") {
+        "it looks like UTF-16 text: save it as UTF-8".into()
+    } else {
+        match named {
+            Some(format) => format!("the name says {format}, the content does not; {known}"),
+            None => known,
+        }
+    };
+    Error::UnknownFormat { name: name.into(), found: shown(&start[..start.len().min(16)]), advice }
 }
 
 fn by_magic(start: &[u8]) -> Option<Format> {
@@ -103,27 +126,35 @@ fn by_magic(start: &[u8]) -> Option<Format> {
     if word(b"ply") {
         return Some(Format::Ply);
     }
-    if start.starts_with(b"LASF") {
-        return Some(Format::Las);
-    }
-    if start.starts_with(b"# .PCD") || [b"VERSION" as &[u8], b"FIELDS", b"COLUMNS"].into_iter().any(word) {
+    if [b"VERSION" as &[u8], b"FIELDS", b"COLUMNS"].into_iter().any(word) {
         return Some(Format::Pcd);
     }
-    None
+    MAGIC.iter().find(|(_, magic)| start.starts_with(magic)).map(|(format, _)| *format)
 }
 
-/// Text is OBJ if its first statement is one of OBJ's, otherwise a table.
+/// STL has no magic: binary is told by its length, or by its name where the length does not fit.
+fn stl(start: &[u8], length: Option<u64>, named: Option<Format>) -> Option<Format> {
+    let cut = named == Some(Format::Stl) && start.contains(&0);
+    (stl::is_binary(start, length) || stl::is_ascii(start) || cut).then_some(Format::Stl)
+}
+
+/// Text is what its first statement says, or by its name what has none, and otherwise a table.
 fn by_text(start: &[u8], named: Option<Format>) -> Option<Format> {
     let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start);
     if start.contains(&0) {
         return None;
     }
+    if ptx::begins(start) {
+        return Some(Format::Ptx);
+    }
     let mut lines = start.split(|&b| b == b'\n' || b == b'\r');
     let statement = lines.find_map(|line| tokens(line).next().filter(|t| !t.starts_with(b"#")));
     match statement {
         Some(word) if OBJ_KEYWORDS.contains(&word) => Some(Format::Obj),
+        Some(word) if off::is_keyword(word) => Some(Format::Off),
         None if named == Some(Format::Obj) => Some(Format::Obj),
-        Some(_) if matches!(named, Some(Format::Ply | Format::Pcd | Format::Las)) => None,
+        Some(_) if named == Some(Format::Off) => Some(Format::Off),
+        Some(_) if named.is_some_and(|format| format != Format::Table && format != Format::Obj) => None,
         _ => Some(Format::Table),
     }
 }

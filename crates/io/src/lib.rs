@@ -25,7 +25,7 @@ mod write;
 pub use error::{Error, Place};
 pub use format::Format;
 pub use output::{Output, check_output};
-pub use read::{LasFrame, LasRecord, Missing, ReadOptions, Scan, read, read_from};
+pub use read::{LasFrame, LasRecord, Missing, ReadOptions, Scan, read, read_all, read_from};
 pub use write::{
     NetworkContext, NetworkFormat, Parameter, PointFormat, PointTable, network_format, point_format,
     write_network, write_network_to, write_points, write_points_to,

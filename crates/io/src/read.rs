@@ -1,10 +1,18 @@
 //! From an input to a cloud: opening, recognising, dispatching.
-mod las;
+mod e57;
+pub(crate) mod expe;
+mod join;
+pub(crate) mod las;
 mod limit;
+pub(crate) mod npy;
 mod obj;
+pub(crate) mod off;
 mod pcd;
 mod ply;
+pub(crate) mod ptx;
 pub(crate) mod rows;
+mod select;
+pub(crate) mod stl;
 mod table;
 
 use crate::error::Error;
@@ -16,7 +24,7 @@ use std::io::Read;
 use std::path::Path;
 
 /// How an input is read.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ReadOptions {
     /// Take what is whole of an input that ends early, instead of refusing it. `Scan::missing` then says what
     /// is not there.
@@ -28,13 +36,31 @@ pub struct ReadOptions {
     /// Bytes that the points of a compressed input may take in memory. `None` is 64 MiB and eight times the input:
     /// enough for what programs write, too little for a small file that unpacks without end.
     pub memory: Option<u64>,
+    /// Read only this scan of an input that holds several, counted from 1.
+    pub scan: Option<usize>,
+    /// Keep only every n-th point.
+    pub every: Option<usize>,
+    /// Keep only one point, the one nearest to the middle, of every cube with this edge, in the unit of the input.
+    pub voxel: Option<f64>,
+    /// Keep only points from the first corner to the second, both included.
+    pub bounds: Option<[[f64; 3]; 2]>,
     /// Take the input for this format, whatever it looks like.
     pub format: Option<Format>,
 }
 
 impl Default for ReadOptions {
     fn default() -> Self {
-        Self { salvage: false, attributes: true, hash: false, memory: None, format: None }
+        Self {
+            salvage: false,
+            attributes: true,
+            hash: false,
+            memory: None,
+            scan: None,
+            every: None,
+            voxel: None,
+            bounds: None,
+            format: None,
+        }
     }
 }
 
@@ -107,6 +133,7 @@ impl Decoded {
     }
 }
 
+pub use join::read_all;
 pub use las::{LasFrame, Record as LasRecord};
 
 /// Reads the point cloud in the file at `path`; `-` is standard input.
@@ -138,10 +165,11 @@ pub fn read_from(reader: Box<dyn Read + Send>, name: &str, options: &ReadOptions
 
 fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
     let name = source.name().to_string();
+    let length = source.remaining();
     let start = source.peek(1 << 16)?;
     let format = match options.format {
         Some(format) if !start.is_empty() => format,
-        _ => Format::detect(start, &name)?,
+        _ => Format::detect(start, length, &name)?,
     };
     let decoded = match format {
         Format::Ply => ply::read(&mut source, options)?,
@@ -149,9 +177,16 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         Format::Obj => obj::read(&mut source, options)?,
         Format::Pcd => pcd::read(&mut source, options)?,
         Format::Las => las::read(&mut source, options)?,
+        Format::E57 => e57::read(&mut source, options)?,
+        Format::Ptx => ptx::read(&mut source, options)?,
+        Format::Stl => stl::read(&mut source, options)?,
+        Format::Off => off::read(&mut source, options)?,
+        Format::Npy => npy::read(&mut source, options)?,
+        Format::Expe => expe::read(&mut source, options)?,
     };
     source.drain()?;
-    let Decoded { cloud, ignored, missing, crs, las } = decoded;
+    let Decoded { mut cloud, mut ignored, missing, crs, las } = decoded;
+    select::select(&mut cloud, options, &mut ignored);
     let (sha256, bytes) = (source.sha256(), source.offset());
     Ok(Scan { cloud, format, name, ignored, missing, crs, las, sha256, bytes })
 }

@@ -1,16 +1,26 @@
 //! From networks and classified points to files.
 
 mod check;
+mod csv;
 mod dxf;
+mod geojson;
+mod glb;
 mod json;
 mod network_obj;
 mod network_ply;
 mod npy;
+mod point_rows;
+mod points_las;
+mod points_pcd;
 mod points_ply;
+mod points_text;
 mod polyline;
+mod svg;
+mod vtp;
 
 use crate::error::Error;
 use crate::output::Output;
+use crate::read::LasFrame;
 use lineament::{Cloud, Network};
 use std::fmt;
 use std::io::{self, Write};
@@ -35,6 +45,12 @@ pub struct NetworkContext {
     pub spacing: f64,
     /// Estimated noise (standard deviation across the surface), in the unit of the input.
     pub noise: Option<f64>,
+    /// The coordinate reference system, as `Scan::crs` gives it.
+    pub crs: Option<String>,
+    /// The direction in which drawings look; `None` for the best one.
+    pub view: Option<[f64; 3]>,
+    /// Millimetres of a drawing for one unit of the input; `None` fits the drawing to 200 mm.
+    pub millimetres: Option<f64>,
 }
 
 /// A parameter and its value.
@@ -55,6 +71,8 @@ pub struct PointTable<'a> {
     pub classes: &'a [u8],
     /// `(N)` scores of the detector, or nothing.
     pub scores: &'a [f32],
+    /// How a LAS input stored its coordinates, for LAS outputs: `Scan::las`.
+    pub las: Option<&'a LasFrame>,
 }
 
 /// A format that networks are written in.
@@ -69,6 +87,16 @@ pub enum NetworkFormat {
     Ply,
     /// 3D polylines, release 12.
     Dxf,
+    /// A drawing in millimetres.
+    Svg,
+    /// Lines and points in the frame of the input.
+    GeoJson,
+    /// Binary glTF lines.
+    Glb,
+    /// VTK polygonal data.
+    Vtp,
+    /// A row a point.
+    Csv,
 }
 
 /// A format that classified points are written in.
@@ -79,16 +107,39 @@ pub enum PointFormat {
     Npy,
     /// Positions, class, score and the attributes of the input, binary.
     Ply,
+    /// The same as PCD, binary.
+    Pcd,
+    /// The same as text with blanks.
+    Xyz,
+    /// The same as text with commas.
+    Csv,
+    /// The same as LAS 1.4.
+    Las,
+    /// The same as LAZ 1.4.
+    Laz,
 }
 
-const NETWORK_FORMATS: [(NetworkFormat, &str); 4] = [
+const NETWORK_FORMATS: [(NetworkFormat, &str); 9] = [
     (NetworkFormat::Json, "json"),
     (NetworkFormat::Obj, "obj"),
     (NetworkFormat::Ply, "ply"),
     (NetworkFormat::Dxf, "dxf"),
+    (NetworkFormat::Svg, "svg"),
+    (NetworkFormat::GeoJson, "geojson"),
+    (NetworkFormat::Glb, "glb"),
+    (NetworkFormat::Vtp, "vtp"),
+    (NetworkFormat::Csv, "csv"),
 ];
 
-const POINT_FORMATS: [(PointFormat, &str); 2] = [(PointFormat::Npy, "npy"), (PointFormat::Ply, "ply")];
+const POINT_FORMATS: [(PointFormat, &str); 7] = [
+    (PointFormat::Npy, "npy"),
+    (PointFormat::Ply, "ply"),
+    (PointFormat::Pcd, "pcd"),
+    (PointFormat::Xyz, "xyz"),
+    (PointFormat::Csv, "csv"),
+    (PointFormat::Las, "las"),
+    (PointFormat::Laz, "laz"),
+];
 
 impl fmt::Display for NetworkFormat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -170,6 +221,11 @@ pub fn write_network_to(
         NetworkFormat::Obj => network_obj::write(out, network, context),
         NetworkFormat::Ply => network_ply::write(out, network, context),
         NetworkFormat::Dxf => dxf::write(out, network),
+        NetworkFormat::Svg => svg::write(out, network, context),
+        NetworkFormat::GeoJson => geojson::write(out, network, context),
+        NetworkFormat::Glb => glb::write(out, network),
+        NetworkFormat::Vtp => vtp::write(out, network),
+        NetworkFormat::Csv => csv::write(out, network),
     }
 }
 
@@ -196,5 +252,10 @@ pub fn write_points_to(out: &mut dyn Write, format: PointFormat, table: &PointTa
     match format {
         PointFormat::Npy => npy::write_classes(out, table.classes),
         PointFormat::Ply => points_ply::write(out, table),
+        PointFormat::Pcd => points_pcd::write(out, table),
+        PointFormat::Xyz => points_text::write(out, table, ' '),
+        PointFormat::Csv => points_text::write(out, table, ','),
+        PointFormat::Las => points_las::write(out, table, false),
+        PointFormat::Laz => points_las::write(out, table, true),
     }
 }

@@ -24,6 +24,7 @@ fn context() -> NetworkContext {
         ],
         spacing: 0.1,
         noise: None,
+        ..NetworkContext::default()
     }
 }
 
@@ -214,7 +215,8 @@ fn the_extension_names_the_format_and_an_unknown_one_is_refused() {
 
 #[test]
 fn an_empty_network_is_written_in_every_format() {
-    for format in [NetworkFormat::Json, NetworkFormat::Obj, NetworkFormat::Ply, NetworkFormat::Dxf] {
+    use NetworkFormat::{Csv, Dxf, GeoJson, Glb, Json, Obj, Ply, Svg, Vtp};
+    for format in [Json, Obj, Ply, Dxf, Svg, GeoJson, Glb, Vtp, Csv] {
         let mut bytes = Vec::new();
         write_network_to(&mut bytes, format, &Default::default(), &Default::default()).unwrap();
         assert!(!bytes.is_empty());
@@ -236,4 +238,86 @@ fn a_network_that_dangles_is_refused_and_nothing_is_written() {
     broken.strips[2].points[1][0] = f64::NAN;
     assert!(write_network(&path, &[], &broken, &context()).is_err());
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+/// The JSON of a GLB file and its binary part.
+fn glb_parts(bytes: &[u8]) -> (Value, &[u8]) {
+    let number = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
+    assert_eq!((&bytes[..4], number(4), number(8)), (b"glTF" as &[u8], 2, bytes.len()));
+    let json = number(12);
+    assert_eq!((&bytes[16..20], &bytes[20 + json + 4..20 + json + 8]), (b"JSON" as &[u8], b"BIN\0" as &[u8]));
+    assert_eq!((json % 4, 20 + json + 8 + number(20 + json)), (0, bytes.len()));
+    (serde_json::from_slice(&bytes[20..20 + json]).unwrap(), &bytes[20 + json + 8..])
+}
+
+#[test]
+fn glb_holds_every_segment_near_its_place() {
+    let bytes = written(NetworkFormat::Glb);
+    let (json, binary) = glb_parts(&bytes);
+    let middle = floats(&json["nodes"][2]["translation"]);
+    let view = |i: usize| {
+        let (at, length) =
+            (json["bufferViews"][i]["byteOffset"].as_u64(), json["bufferViews"][i]["byteLength"].as_u64());
+        &binary[at.unwrap() as usize..(at.unwrap() + length.unwrap()) as usize]
+    };
+    let float = |i: usize| f32::from_le_bytes(view(0)[4 * i..4 * i + 4].try_into().unwrap());
+    let node = network().nodes[1].position;
+    for axis in 0..3 {
+        assert!((f64::from(float(3 + axis)) + middle[axis] - node[axis]).abs() < 1.0);
+    }
+    let indices = |i: usize| {
+        view(i).chunks_exact(4).map(|b| u32::from_le_bytes(b.try_into().unwrap())).collect::<Vec<_>>()
+    };
+    assert_eq!(indices(1), [0, 2, 2, 1, 0, 3, 3, 4, 4, 0]);
+    assert_eq!(indices(2), [5, 6, 6, 7, 7, 8, 8, 5]);
+    assert_eq!(json["meshes"].as_array().unwrap().len(), 2);
+}
+
+#[test]
+fn geojson_keeps_coordinates_and_names_the_reference_system() {
+    let mut bytes = Vec::new();
+    let context = NetworkContext { crs: Some("EPSG:25832".into()), ..context() };
+    write_network_to(&mut bytes, NetworkFormat::GeoJson, &network(), &context).unwrap();
+    let json: Value = serde_json::from_slice(&bytes).unwrap();
+    assert_eq!(json["crs"]["properties"]["name"], "urn:ogc:def:crs:EPSG::25832");
+    let features = json["features"].as_array().unwrap();
+    assert_eq!(features.len(), 5);
+    assert_eq!(floats(&features[0]["geometry"]["coordinates"][2]), network().nodes[1].position);
+    let loops = features[2]["geometry"]["coordinates"].as_array().unwrap();
+    assert_eq!((loops.len(), &loops[0]), (5, &loops[4]));
+    assert_eq!(features[3]["geometry"]["type"], "Point");
+}
+
+#[test]
+fn svg_is_in_millimetres_and_closes_loops() {
+    let text = String::from_utf8(written(NetworkFormat::Svg)).unwrap();
+    assert!(text.contains("mm\" height=\"") && text.contains("viewBox"));
+    assert_eq!(
+        (text.matches("<path").count(), text.matches(" Z\"").count(), text.matches("<circle").count()),
+        (3, 1, 2)
+    );
+    let context = NetworkContext { view: Some([0.0, 0.0, -1.0]), millimetres: Some(10.0), ..context() };
+    let mut flat = network();
+    flat.strips = vec![flat.strips[2].clone()];
+    flat.nodes.clear();
+    let mut bytes = Vec::new();
+    write_network_to(&mut bytes, NetworkFormat::Svg, &flat, &context).unwrap();
+    let text = String::from_utf8(bytes).unwrap();
+    assert!(text.contains("width=\"20.000mm\" height=\"20.000mm\""), "{text}");
+    assert!(text.contains("M5.0000,15.0000 L15.0000,15.0000 L15.0000,5.0000 L5.0000,5.0000 Z"), "{text}");
+}
+
+#[test]
+fn vtp_and_csv_have_every_point() {
+    let vtp = String::from_utf8(written(NetworkFormat::Vtp)).unwrap();
+    assert!(
+        vtp.contains("NumberOfPoints=\"9\" NumberOfVerts=\"2\"") && vtp.contains("0 2 1 0 3 4 0 5 6 7 8 5"),
+        "{vtp}"
+    );
+    assert!(vtp.contains("5648349.895035"));
+    let csv = String::from_utf8(written(NetworkFormat::Csv)).unwrap();
+    assert_eq!(csv.lines().count(), 12);
+    let scan = common::from_bytes(csv.as_bytes(), "lines.csv", &Default::default()).unwrap();
+    let points: Vec<[f64; 3]> = network().strips.iter().flat_map(|s| s.points.clone()).collect();
+    assert_eq!(scan.cloud.positions, points);
 }

@@ -63,7 +63,9 @@ fn files_of_other_programs_read_with_their_counts() {
 
 #[test]
 fn broken_files_are_refused_by_name_and_place() {
-    for path in files("malformed").iter().filter(|path| !has(path, &["obj"])) {
+    for path in
+        files("malformed").iter().filter(|path| !path.display().to_string().contains("assimp-malformed"))
+    {
         // One of them is only odd: its chunk table is damaged where nothing is read.
         let Err(error) = read(path, &ReadOptions::default()) else {
             assert!(path.ends_with("laz-11.laz"), "{}", path.display());

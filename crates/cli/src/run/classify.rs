@@ -19,7 +19,9 @@ pub fn run(args: &Classify) -> Result<(), Failure> {
     let found = progress::observed(&input.cloud, &params, args.running.quiet)
         .map_err(|e| Failure::from(e).at(&input.name))?;
     let classes: Vec<u8> = found.classes().into_iter().map(|class| class as u8).collect();
-    let table = PointTable { cloud: &input.cloud, classes: &classes, scores: &found.scores() };
+    let scores = found.scores();
+    let table =
+        PointTable { cloud: &input.cloud, classes: &classes, scores: &scores, las: input.las.as_ref() };
     for path in &args.output {
         outputs::write(path, || write_points(path, &input.files, &table))?;
     }

@@ -61,5 +61,7 @@ fn context(input: &Input, params: &Params, found: &Extraction) -> NetworkContext
         parameters: parameters.collect(),
         spacing: found.report.spacing,
         noise: Some(found.report.noise),
+        crs: input.crs.clone(),
+        ..NetworkContext::default()
     }
 }

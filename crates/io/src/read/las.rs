@@ -3,7 +3,7 @@
 
 mod header;
 mod laz;
-mod points;
+pub(crate) mod points;
 mod records;
 
 use super::rows::{Table, room};

@@ -5,12 +5,12 @@ mod layout;
 mod split;
 
 use super::{Decoded, ReadOptions};
-use crate::columns::Scalar;
+use crate::columns::narrowed;
 use crate::error::Error;
 use crate::number::{self, integer, shown};
 use crate::source::Source;
 use layout::{Layout, Role};
-use lineament::{Attribute, Column};
+use lineament::Attribute;
 use split::Separator;
 
 /// Reads a table input.
@@ -80,7 +80,10 @@ fn finish(
     }
     rows.level();
     out.cloud.positions = rows.positions;
-    out.cloud.attributes = rows.columns.into_iter().map(narrowed).collect();
+    out.cloud.attributes = {
+        let named = rows.columns.into_iter();
+        named.map(|(name, values)| Attribute { name, values: narrowed(values) }).collect()
+    };
     Ok(out)
 }
 
@@ -178,20 +181,6 @@ fn value(field: &[u8], decimal_comma: bool) -> Option<f64> {
     }
     let missing: [&[u8]; 5] = [b"", b"na", b"n/a", b"null", b"none"];
     missing.iter().any(|word| field.eq_ignore_ascii_case(word)).then_some(f64::NAN)
-}
-
-/// A column in the smallest integer type that holds all its values, or as f64: text states no type.
-fn narrowed((name, values): (String, Vec<f64>)) -> Attribute {
-    let kinds = [Scalar::U8, Scalar::I16, Scalar::U16, Scalar::I32, Scalar::U32];
-    let negative_zero = |v: &f64| *v == 0.0 && v.is_sign_negative();
-    let whole = values.iter().all(|v| v.fract() == 0.0 && !negative_zero(v));
-    for kind in kinds.into_iter().filter(|_| whole) {
-        let mut column = kind.column(values.len());
-        if values.iter().all(|&value| crate::columns::push(&mut column, value)) {
-            return Attribute { name, values: column };
-        }
-    }
-    Attribute { name, values: Column::F64(values) }
 }
 
 impl std::fmt::Display for Separator {

@@ -101,7 +101,7 @@ fn lines<T>(
 }
 
 /// A number; `null` if it is none.
-struct Number(f64);
+pub(super) struct Number(pub f64);
 
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -109,7 +109,7 @@ impl fmt::Display for Number {
     }
 }
 
-struct Point<'a>(&'a [f64; 3]);
+pub(super) struct Point<'a>(pub &'a [f64; 3]);
 
 impl fmt::Display for Point<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -118,7 +118,7 @@ impl fmt::Display for Point<'_> {
     }
 }
 
-struct Index(Option<u32>);
+pub(super) struct Index(pub Option<u32>);
 
 impl fmt::Display for Index {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -130,7 +130,7 @@ impl fmt::Display for Index {
 }
 
 /// A text in quotes.
-struct Text<'a>(&'a str);
+pub(super) struct Text<'a>(pub &'a str);
 
 impl fmt::Display for Text<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -1,6 +1,6 @@
 //! The dimensions of LAS points: where each lies in a record, by point format, and the extra bytes.
 
-use super::header::{Fields, Header, LasFrame};
+use super::header::{Fields, Header, LasFrame, RECORD_LENGTHS};
 use super::records::text;
 use crate::columns::Scalar;
 use crate::error::Error;
@@ -10,11 +10,11 @@ use lineament::Column;
 
 /// A dimension of the points.
 #[derive(Debug)]
-pub(super) struct Dimension {
+pub(crate) struct Dimension {
     pub name: String,
     pub field: Field,
     /// For parts of a byte: how far up they begin, and the ones that mask them.
-    bits: Option<(u32, u8)>,
+    pub bits: Option<(u32, u8)>,
     /// For extra bytes that are stored as integers: value = stored * scale + offset.
     scaled: Option<(f64, f64)>,
 }
@@ -37,23 +37,32 @@ pub(super) fn dimensions(
 ) -> Result<Vec<Dimension>, Error> {
     let of = Dimension::new;
     let mut all = vec![of("x", 0, Scalar::I32), of("y", 4, Scalar::I32), of("z", 8, Scalar::I32)];
-    all.push(of("intensity", 12, Scalar::U16));
-    let mut at = if header.format < 6 { legacy(&mut all) } else { current(&mut all) };
-    if matches!(header.format, 1 | 3 | 4 | 5) {
+    all.extend(standard(header.format).map(|(_, dimensions)| dimensions).unwrap_or_default());
+    extra(source, header, frame, &mut all)?;
+    Ok(all)
+}
+
+/// Bytes of a record of a point format without extra bytes, and its dimensions but for x, y and z; `None` if there is
+/// no such format.
+pub(crate) fn standard(format: u8) -> Option<(usize, Vec<Dimension>)> {
+    let length = *RECORD_LENGTHS.get(usize::from(format))?;
+    let of = Dimension::new;
+    let mut all = vec![of("intensity", 12, Scalar::U16)];
+    let mut at = if format < 6 { legacy(&mut all) } else { current(&mut all) };
+    if matches!(format, 1 | 3 | 4 | 5) {
         all.push(of("gps_time", at, Scalar::F64));
         at += 8;
     }
-    if matches!(header.format, 2 | 3 | 5 | 7 | 8 | 10) {
+    if matches!(format, 2 | 3 | 5 | 7 | 8 | 10) {
         for (i, name) in ["red", "green", "blue"].into_iter().enumerate() {
             all.push(of(name, at + 2 * i, Scalar::U16));
         }
         at += 6;
     }
-    if matches!(header.format, 8 | 10) {
+    if matches!(format, 8 | 10) {
         all.push(of("nir", at, Scalar::U16));
     }
-    extra(source, header, frame, &mut all)?;
-    Ok(all)
+    Some((length, all))
 }
 
 /// Formats 0 to 5; gives where the optional dimensions begin.

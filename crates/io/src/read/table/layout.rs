@@ -4,6 +4,7 @@ use super::split::{Separator, fields, is_comment, uncommented};
 use crate::error::{Error, Place};
 use crate::number::{integer, is_blank, parse, shown, tokens};
 use crate::source::Source;
+use std::path::Path;
 
 /// Bytes and rows that the layout is recognised from.
 const SAMPLE_BYTES: usize = 1 << 16;
@@ -68,8 +69,10 @@ pub(super) fn find(source: &mut Source) -> Result<Layout, Error> {
     let (separator, decimal_comma) =
         separator(&sample.rows).map_err(|(found, advice)| source.fault(place, found, advice))?;
     let columns = fields(first, separator).len();
-    let header = names(&sample, separator, columns);
-    let titles = sample.titles - u64::from(header.is_some() && !sample.header_is_comment);
+    let named = names(&sample, separator, columns);
+    let by_name = || usual_names(source.name(), columns);
+    let header = named.clone().or_else(by_name);
+    let titles = sample.titles - u64::from(named.is_some() && !sample.header_is_comment);
     if header.is_none() && separator == Separator::Byte(b',') && columns > 3 && all_digits(&sample.rows) {
         let found = format!("{columns} columns of whole numbers separated by commas, without names");
         let advice = "the commas may be decimal signs: put a line of names (x,y,z,...) first, or separate by semicolons";
@@ -235,6 +238,19 @@ fn names(sample: &Sample, separator: Separator, columns: usize) -> Option<Vec<St
     let found = options.iter().map(|&s| text(fields(header, s))).find(|names| names.len() == columns)?;
     let named = (0..3).all(|axis| find_axis(&found, axis).is_some());
     (named || !sample.header_is_comment).then_some(found)
+}
+
+/// The names that columns have by custom in files with this extension.
+fn usual_names(name: &str, columns: usize) -> Option<Vec<String>> {
+    let extension = Path::new(name).extension()?.to_str()?.to_ascii_lowercase();
+    let rest: &[&str] = match (extension.as_str(), columns) {
+        ("pts", 4) => &["intensity"],
+        ("pts" | "xyzrgb", 6) => &["red", "green", "blue"],
+        ("pts", 7) => &["intensity", "red", "green", "blue"],
+        ("pwn" | "xyzn", 6) => &["nx", "ny", "nz"],
+        _ => return None,
+    };
+    Some(["x", "y", "z"].iter().chain(rest).map(|name| (*name).into()).collect())
 }
 
 /// A column name without comment signs and without a unit in brackets.

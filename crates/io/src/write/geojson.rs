@@ -1,0 +1,41 @@
+//! A network as GeoJSON with 3D coordinates in the frame of the input. RFC 7946 knows longitude and latitude only; the
+//! name of another reference system stands in the member `crs` of the 2008 specification, which GDAL and QGIS read.
+
+use super::NetworkContext;
+use super::json::{Index, Number, Point, Text};
+use lineament::Network;
+use std::io::{self, Write};
+
+/// Writes a `LineString` feature a strip, closed ones ending where they begin, and a `Point` feature a node.
+pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkContext) -> io::Result<()> {
+    write!(out, "{{\"type\": \"FeatureCollection\",")?;
+    if let Some(crs) = &context.crs {
+        let name = crs.strip_prefix("EPSG:").map(|code| format!("urn:ogc:def:crs:EPSG::{code}"));
+        let name = Text(name.as_deref().unwrap_or(crs));
+        write!(out, "\n\"crs\": {{\"type\": \"name\", \"properties\": {{\"name\": {name}}}}},")?;
+    }
+    write!(out, "\n\"features\": [")?;
+    let mut separator = "\n";
+    for (id, strip) in network.strips.iter().enumerate().filter(|(_, strip)| strip.points.len() > 1) {
+        write!(out, "{separator}{{\"type\": \"Feature\", \"properties\": {{\"strip\": {id}, ")?;
+        write!(out, "\"kind\": \"{}\", \"closed\": {}, ", strip.kind.name(), strip.closed)?;
+        write!(out, "\"start\": {}, \"end\": {}, ", Index(strip.start), Index(strip.end))?;
+        write!(out, "\"length\": {}, \"deviation\": {}, ", Number(strip.length()), Number(strip.deviation))?;
+        write!(out, "\"confidence\": {}}}, ", Number(strip.confidence))?;
+        write!(out, "\"geometry\": {{\"type\": \"LineString\", \"coordinates\": [")?;
+        let first = strip.points.first().filter(|_| strip.closed);
+        for (i, point) in strip.points.iter().chain(first).enumerate() {
+            write!(out, "{}{}", if i > 0 { ", " } else { "" }, Point(point))?;
+        }
+        write!(out, "]}}}}")?;
+        separator = ",\n";
+    }
+    for (id, node) in network.nodes.iter().enumerate() {
+        let (kind, degree) = (node.kind.name(), node.degree);
+        write!(out, "{separator}{{\"type\": \"Feature\", \"properties\": {{\"node\": {id}, ")?;
+        write!(out, "\"kind\": \"{kind}\", \"degree\": {degree}}}, ")?;
+        write!(out, "\"geometry\": {{\"type\": \"Point\", \"coordinates\": {}}}}}", Point(&node.position))?;
+        separator = ",\n";
+    }
+    writeln!(out, "\n]}}")
+}

@@ -1,0 +1,126 @@
+//! A network as binary glTF 2.0: lines, a mesh a kind. Positions are single floats by the format's rules, so they are
+//! stored relative to the middle of the network, which stands in the scene as a translation. The format's y points up:
+//! a rotation turns the z of scans there.
+
+use super::polyline::Polylines;
+use lineament::{Network, StripKind};
+use std::io::{self, Write};
+
+/// Numbers of the format: line segments, floats, unsigned ints, vertex and index buffers.
+const LINES: u32 = 1;
+const FLOAT: u32 = 5126;
+const UNSIGNED: u32 = 5125;
+const VERTICES: u32 = 34962;
+const INDICES: u32 = 34963;
+
+/// Name and colour of each kind.
+const KINDS: [(StripKind, &str, [f32; 3]); 2] =
+    [(StripKind::Crease, "crease", [0.8, 0.05, 0.05]), (StripKind::Border, "border", [0.05, 0.2, 0.8])];
+
+/// Writes one file with all lines. Shared nodes are shared vertices.
+pub(super) fn write(out: &mut dyn Write, network: &Network) -> io::Result<()> {
+    let Polylines { vertices, paths } = Polylines::of(network);
+    let middle = middle(&vertices);
+    let local: Vec<[f32; 3]> =
+        vertices.iter().map(|v| [0, 1, 2].map(|a| (v[a] - middle[a]) as f32)).collect();
+    let segments = KINDS.map(|(kind, ..)| {
+        let of_kind = network.strips.iter().zip(&paths).filter(|(strip, _)| strip.kind == kind);
+        let pairs =
+            of_kind.flat_map(|(_, path)| path.windows(2).flat_map(|pair| [pair[0] as u32, pair[1] as u32]));
+        pairs.collect::<Vec<u32>>()
+    });
+    let mut json = json(&local, &segments, middle);
+    while !json.len().is_multiple_of(4) {
+        json.push(' ');
+    }
+    let binary = 12 * local.len() + 4 * segments.iter().map(Vec::len).sum::<usize>();
+    let chunk =
+        |length: usize| u32::try_from(length).map_err(|_| io::Error::other("a GLB file holds at most 4 GiB"));
+    out.write_all(b"glTF")?;
+    let total = 12 + 8 + json.len() + 8 + binary;
+    for number in [2, chunk(total)?, chunk(json.len())?] {
+        out.write_all(&number.to_le_bytes())?;
+    }
+    out.write_all(b"JSON")?;
+    out.write_all(json.as_bytes())?;
+    out.write_all(&chunk(binary)?.to_le_bytes())?;
+    out.write_all(b"BIN\0")?;
+    for coordinate in local.iter().flatten() {
+        out.write_all(&coordinate.to_le_bytes())?;
+    }
+    for index in segments.iter().flatten() {
+        out.write_all(&index.to_le_bytes())?;
+    }
+    Ok(())
+}
+
+/// Least and greatest coordinates; zero if there are none.
+fn bounds<T: Copy + PartialOrd + Default>(points: &[[T; 3]]) -> [[T; 3]; 2] {
+    let first = points.first().copied().unwrap_or_default();
+    points.iter().fold([first; 2], |[low, high], p| {
+        let pick = |a: [T; 3], less: bool| {
+            [0, 1, 2].map(|i| if (p[i] < a[i]) == less && p[i] != a[i] { p[i] } else { a[i] })
+        };
+        [pick(low, true), pick(high, false)]
+    })
+}
+
+fn middle(vertices: &[[f64; 3]]) -> [f64; 3] {
+    let [low, high] = bounds(vertices);
+    [0, 1, 2].map(|a| low[a] + 0.5 * (high[a] - low[a]))
+}
+
+fn json(local: &[[f32; 3]], segments: &[Vec<u32>; 2], middle: [f64; 3]) -> String {
+    let [low, high] = bounds(local);
+    let (mut meshes, mut nodes, mut materials) = (Vec::new(), Vec::new(), Vec::new());
+    let positions = 12 * local.len();
+    let mut views =
+        vec![format!("{{\"buffer\":0,\"byteOffset\":0,\"byteLength\":{positions},\"target\":{VERTICES}}}")];
+    let mut accessors = vec![format!(
+        "{{\"bufferView\":0,\"componentType\":{FLOAT},\"count\":{},\"type\":\"VEC3\",\"min\":{low:?},\"max\":{high:?}}}",
+        local.len()
+    )];
+    let mut offset = positions;
+    for ((_, name, [r, g, b]), indices) in
+        KINDS.iter().zip(segments).filter(|(_, indices)| !indices.is_empty())
+    {
+        let (count, length) = (indices.len(), 4 * indices.len());
+        views.push(format!(
+            "{{\"buffer\":0,\"byteOffset\":{offset},\"byteLength\":{length},\"target\":{INDICES}}}"
+        ));
+        accessors.push(format!(
+            "{{\"bufferView\":{},\"componentType\":{UNSIGNED},\"count\":{count},\"type\":\"SCALAR\"}}",
+            views.len() - 1
+        ));
+        let (mesh, accessor) = (meshes.len(), accessors.len() - 1);
+        meshes.push(format!("{{\"name\":\"{name}\",\"primitives\":[{{\"attributes\":{{\"POSITION\":0}},\"indices\":{accessor},\"material\":{mesh},\"mode\":{LINES}}}]}}"));
+        materials.push(format!("{{\"name\":\"{name}\",\"pbrMetallicRoughness\":{{\"baseColorFactor\":[{r:?},{g:?},{b:?},1.0]}},\"extensions\":{{\"KHR_materials_unlit\":{{}}}}}}"));
+        nodes.push(format!("{{\"name\":\"{name}\",\"mesh\":{mesh}}}"));
+        offset += length;
+    }
+    if meshes.is_empty() {
+        return "{\"asset\":{\"version\":\"2.0\",\"generator\":\"lineament\"},\"scene\":0,\"scenes\":[{\"nodes\":[]}]}".into();
+    }
+    let children: Vec<String> = (0..nodes.len()).map(|node| node.to_string()).collect();
+    nodes.push(format!(
+        "{{\"name\":\"network\",\"translation\":{middle:?},\"children\":[{}]}}",
+        children.join(",")
+    ));
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    nodes.push(format!(
+        "{{\"name\":\"z up\",\"rotation\":[{:?},0.0,0.0,{half:?}],\"children\":[{}]}}",
+        -half,
+        nodes.len() - 1
+    ));
+    format!(
+        "{{\"asset\":{{\"version\":\"2.0\",\"generator\":\"lineament\"}},\"extensionsUsed\":[\"KHR_materials_unlit\"],\
+         \"scene\":0,\"scenes\":[{{\"nodes\":[{}]}}],\"nodes\":[{}],\"meshes\":[{}],\"materials\":[{}],\
+         \"accessors\":[{}],\"bufferViews\":[{}],\"buffers\":[{{\"byteLength\":{offset}}}]}}",
+        nodes.len() - 1,
+        nodes.join(","),
+        meshes.join(","),
+        materials.join(","),
+        accessors.join(","),
+        views.join(","),
+    )
+}

@@ -1,0 +1,67 @@
+//! The columns of classified points, one value at a time: what XYZ, CSV and PCD share.
+
+use super::PointTable;
+use crate::columns::{Number, Scalar, each_column, get};
+use lineament::Column;
+
+/// Names that class and score have in every format.
+const TAKEN: [&str; 5] = ["x", "y", "z", "class", "score"];
+
+/// Names of all columns after x, y and z, with their types: class, score if there are scores, then the attributes of the
+/// input, renamed where the name is taken.
+pub(super) fn names(table: &PointTable) -> Vec<(String, Scalar)> {
+    let mut used: Vec<String> = TAKEN.map(String::from).into();
+    let mut names = vec![("class".to_string(), Scalar::U8)];
+    if !table.scores.is_empty() {
+        names.push(("score".into(), Scalar::F32));
+    }
+    for attribute in &table.cloud.attributes {
+        let name = unique(&attribute.name, &used);
+        names.push((name.clone(), Scalar::of(&attribute.values)));
+        used.push(name);
+    }
+    names
+}
+
+/// A name of printable signs without commas that is not yet used.
+fn unique(name: &str, used: &[String]) -> String {
+    let plain = |c: char| if c.is_ascii_graphic() && c != ',' && c != '"' { c } else { '_' };
+    let clean: String = name.chars().map(plain).collect();
+    let mut unique = if clean.is_empty() { "unnamed".into() } else { clean };
+    while used.iter().any(|u| u.eq_ignore_ascii_case(&unique)) {
+        unique.insert_str(0, "input_");
+    }
+    unique
+}
+
+/// Appends the bytes of value `index` of a column; of 64-bit integers, as double if `wide` is not there.
+pub(super) fn put(column: &Column, index: usize, wide: bool, row: &mut Vec<u8>) {
+    match column {
+        Column::I64(_) | Column::U64(_) if !wide => get(column, index).put(row),
+        _ => each_column!(column, values => if let Some(value) = values.get(index) { value.put(row) }),
+    }
+}
+
+/// The bytes of a whole row: x, y and z as double, class, score, attributes.
+pub(super) fn bytes(table: &PointTable, index: usize, wide: bool, row: &mut Vec<u8>) {
+    table.cloud.positions[index].iter().for_each(|c| c.put(row));
+    row.extend(table.classes.get(index));
+    if let Some(score) = table.scores.get(index) {
+        score.put(row);
+    }
+    table.cloud.attributes.iter().for_each(|attribute| put(&attribute.values, index, wide, row));
+}
+
+/// The values of a whole row as text.
+pub(super) fn text(table: &PointTable, index: usize, separator: char) -> String {
+    let [x, y, z] = table.cloud.positions[index];
+    let mut line = format!("{x:?}{separator}{y:?}{separator}{z:?}{separator}{}", table.classes[index]);
+    if let Some(score) = table.scores.get(index) {
+        line += &format!("{separator}{score:?}");
+    }
+    for attribute in &table.cloud.attributes {
+        line.push(separator);
+        line += &each_column!(&attribute.values, values => values.get(index).map_or("nan".into(), |v| format!("{v:?}")));
+    }
+    line
+}

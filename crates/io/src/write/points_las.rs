@@ -1,0 +1,260 @@
+//! Classified points as LAS 1.4 or LAZ: class and score as extra bytes, the attributes of the input where the point
+//! format has a place for them, and otherwise as extra bytes too.
+
+use super::PointTable;
+use super::point_rows::{names, put};
+use crate::columns::{Number, Scalar, get};
+use crate::read::las::points::{Dimension, standard};
+use crate::read::{LasFrame, LasRecord};
+use laz::{LazItemRecordBuilder, LazVlr, LazVlrBuilder};
+use lineament::{Attribute, Column};
+use std::io::{self, Cursor, Write};
+
+/// Bytes of a version 1.4 header, and of the header of a variable length record.
+const HEADER: usize = 375;
+const RECORD: usize = 54;
+
+/// A column that goes into extra bytes.
+struct Extra<'a> {
+    name: String,
+    kind: Scalar,
+    column: Source<'a>,
+}
+
+enum Source<'a> {
+    Class,
+    Score,
+    Attribute(&'a Column),
+}
+
+/// Where everything goes.
+struct Plan<'a> {
+    format: u8,
+    /// Bytes of a record without the extra ones.
+    standard: usize,
+    dimensions: Vec<(Dimension, &'a Column)>,
+    extras: Vec<Extra<'a>>,
+    scale: [f64; 3],
+    offset: [f64; 3],
+}
+
+/// Writes LAS, or LAZ if `packed`.
+pub(super) fn write(out: &mut dyn Write, table: &PointTable, packed: bool) -> io::Result<()> {
+    let plan = plan(table)?;
+    let extra: usize = plan.extras.iter().map(|e| e.kind.size()).sum();
+    let length = u16::try_from(plan.standard + extra).map_err(io::Error::other)?;
+    let mut vlrs: Vec<LasRecord> = table.las.map_or(Vec::new(), projections);
+    vlrs.push(LasRecord { user: "LASF_Spec".into(), id: 4, data: descriptions(&plan.extras) });
+    let laz = packed.then(|| -> io::Result<LazVlr> {
+        let items = LazItemRecordBuilder::default_for_point_format_id(plan.format, extra as u16);
+        let laz = LazVlrBuilder::new(items.map_err(io::Error::other)?).build();
+        let mut data = Vec::new();
+        laz.write_to(&mut data)?;
+        vlrs.push(LasRecord { user: LazVlr::USER_ID.into(), id: LazVlr::RECORD_ID, data });
+        Ok(laz)
+    });
+    let laz = laz.transpose()?;
+    let mut head = header(table, &plan, length, &vlrs, packed)?;
+    for vlr in &vlrs {
+        head.extend(record(vlr)?);
+    }
+    let mut rows = Vec::with_capacity(if packed { table.cloud.len() * usize::from(length) } else { 1 << 16 });
+    let mut file = Cursor::new(head);
+    if !packed {
+        out.write_all(file.get_ref())?;
+    }
+    for index in 0..table.cloud.len() {
+        row(table, &plan, index, &mut rows)?;
+        if !packed {
+            out.write_all(&rows)?;
+            rows.clear();
+        }
+    }
+    if let Some(laz) = laz {
+        file.set_position(file.get_ref().len() as u64);
+        laz::laszip::compress_buffer(&mut file, &rows, laz).map_err(io::Error::other)?;
+        out.write_all(file.get_ref())?;
+    }
+    Ok(())
+}
+
+/// The records that say where on earth the points are.
+fn projections(frame: &LasFrame) -> Vec<LasRecord> {
+    frame.records.iter().filter(|record| record.is_projection()).cloned().collect()
+}
+
+fn plan<'a>(table: &PointTable<'a>) -> io::Result<Plan<'a>> {
+    let attributes = &table.cloud.attributes;
+    let coloured = ["red", "green", "blue"].iter().all(|name| attributes.iter().any(|a| a.name == *name));
+    let format = match table.las.map(|frame| frame.point_format) {
+        Some(4) => 1,
+        Some(5) => 3,
+        Some(9) => 6,
+        Some(10) => 8,
+        Some(format) => format,
+        None => 6 + u8::from(coloured),
+    };
+    let (standard, all) =
+        standard(format).ok_or_else(|| io::Error::other(format!("LAS has no point format {format}")))?;
+    let mut dimensions: Vec<(Dimension, &Column)> = Vec::new();
+    let mut extras = vec![Extra { name: "class".into(), kind: Scalar::U8, column: Source::Class }];
+    if !table.scores.is_empty() {
+        extras.push(Extra { name: "score".into(), kind: Scalar::F32, column: Source::Score });
+    }
+    let named = names(table);
+    let names = &named[extras.len()..];
+    let mut free: Vec<Option<Dimension>> = all.into_iter().map(Some).collect();
+    for (attribute, (name, kind)) in attributes.iter().zip(names) {
+        let place = free.iter_mut().find(|d| d.as_ref().is_some_and(|d| fits(d, attribute)));
+        match place.and_then(Option::take) {
+            Some(dimension) => dimensions.push((dimension, &attribute.values)),
+            None => extras.push(Extra {
+                name: name.clone(),
+                kind: *kind,
+                column: Source::Attribute(&attribute.values),
+            }),
+        }
+    }
+    let (scale, offset) = table.las.map_or_else(|| grid(table), |frame| (frame.scale, frame.offset));
+    Ok(Plan { format, standard, dimensions, extras, scale, offset })
+}
+
+/// Whether a dimension is this attribute and holds all its values.
+fn fits(dimension: &Dimension, attribute: &Attribute) -> bool {
+    let holds = |value: f64| match dimension.bits {
+        Some((_, mask)) => u8::narrow(value).is_some_and(|value| value <= mask),
+        None => crate::columns::push(&mut dimension.field.kind.column(1), value),
+    };
+    dimension.name == attribute.name && (0..attribute.values.len()).all(|i| holds(get(&attribute.values, i)))
+}
+
+/// The finest decimal scale with which all finite coordinates fit 32 bits, and offsets in the middle.
+fn grid(table: &PointTable) -> ([f64; 3], [f64; 3]) {
+    let finite = || table.cloud.positions.iter().filter(|p| p.iter().all(|c| c.is_finite()));
+    let limit = |a: usize, pick: fn(f64, f64) -> f64| finite().map(|p| p[a]).reduce(pick).unwrap_or(0.0);
+    let of = |a: usize| {
+        let (low, high) = (limit(a, f64::min), limit(a, f64::max));
+        let offset = (low + 0.5 * (high - low)).round();
+        let reach = (high - offset).max(offset - low);
+        let least = (reach / 2e9).max(high.abs().max(low.abs()) * 1e-15).max(1e-12);
+        (10f64.powi(least.log10().ceil() as i32), offset)
+    };
+    let axes = [of(0), of(1), of(2)];
+    (axes.map(|axis| axis.0), axes.map(|axis| axis.1))
+}
+
+/// A coordinate as the integer that is stored.
+fn stored(plan: &Plan, position: [f64; 3], axis: usize) -> io::Result<i32> {
+    let value = ((position[axis] - plan.offset[axis]) / plan.scale[axis]).round();
+    i32::narrow(value).ok_or_else(|| {
+        io::Error::other(format!(
+            "coordinate {} does not fit LAS with scale {}: drop non-finite points, or write PLY",
+            position[axis], plan.scale[axis]
+        ))
+    })
+}
+
+/// Appends a record.
+fn row(table: &PointTable, plan: &Plan, index: usize, rows: &mut Vec<u8>) -> io::Result<()> {
+    let start = rows.len();
+    rows.resize(start + plan.standard, 0);
+    let record = &mut rows[start..];
+    for axis in 0..3 {
+        let value = stored(plan, table.cloud.positions[index], axis)?;
+        record[4 * axis..4 * axis + 4].copy_from_slice(&value.to_le_bytes());
+    }
+    for (dimension, column) in &plan.dimensions {
+        let (offset, value) = (dimension.field.offset, get(column, index));
+        if let Some((shift, mask)) = dimension.bits {
+            record[offset] |= (value as u8 & mask) << shift;
+            continue;
+        }
+        let mut one = dimension.field.kind.column(1);
+        crate::columns::push(&mut one, value);
+        let mut bytes = Vec::with_capacity(8);
+        put(&one, 0, true, &mut bytes);
+        record[offset..offset + bytes.len()].copy_from_slice(&bytes);
+    }
+    for extra in &plan.extras {
+        match extra.column {
+            Source::Class => rows.push(table.classes[index]),
+            Source::Score => table.scores[index].put(rows),
+            Source::Attribute(column) => put(column, index, true, rows),
+        }
+    }
+    Ok(())
+}
+
+/// The descriptions of the extra bytes.
+fn descriptions(extras: &[Extra]) -> Vec<u8> {
+    let mut data = Vec::new();
+    for extra in extras {
+        let mut one = [0u8; 192];
+        one[2] = match extra.kind {
+            Scalar::U8 => 1,
+            Scalar::I8 => 2,
+            Scalar::U16 => 3,
+            Scalar::I16 => 4,
+            Scalar::U32 => 5,
+            Scalar::I32 => 6,
+            Scalar::U64 => 7,
+            Scalar::I64 => 8,
+            Scalar::F32 => 9,
+            Scalar::F64 => 10,
+        };
+        for (slot, byte) in one[4..36].iter_mut().zip(extra.name.bytes()) {
+            *slot = byte;
+        }
+        data.extend(one);
+    }
+    data
+}
+
+/// A variable length record with its header.
+fn record(vlr: &LasRecord) -> io::Result<Vec<u8>> {
+    let length = u16::try_from(vlr.data.len()).map_err(io::Error::other)?;
+    let mut bytes = vec![0; RECORD];
+    for (slot, byte) in bytes[2..18].iter_mut().zip(vlr.user.bytes()) {
+        *slot = byte;
+    }
+    bytes[18..20].copy_from_slice(&vlr.id.to_le_bytes());
+    bytes[20..22].copy_from_slice(&length.to_le_bytes());
+    bytes.extend_from_slice(&vlr.data);
+    Ok(bytes)
+}
+
+/// The header of version 1.4.
+fn header(
+    table: &PointTable,
+    plan: &Plan,
+    length: u16,
+    vlrs: &[LasRecord],
+    packed: bool,
+) -> io::Result<Vec<u8>> {
+    let mut bytes = vec![0u8; HEADER];
+    let mut put = |at: usize, value: &[u8]| bytes[at..at + value.len()].copy_from_slice(value);
+    let points_at = HEADER + vlrs.iter().map(|vlr| RECORD + vlr.data.len()).sum::<usize>();
+    let wkt = vlrs.iter().any(|vlr| vlr.is_projection() && vlr.id == 2112);
+    put(0, b"LASF");
+    put(6, &(u16::from(wkt) << 4).to_le_bytes());
+    put(24, &[1, 4]);
+    put(26, b"lineament");
+    put(58, b"lineament");
+    put(94, &(HEADER as u16).to_le_bytes());
+    put(96, &u32::try_from(points_at).map_err(io::Error::other)?.to_le_bytes());
+    put(100, &(vlrs.len() as u32).to_le_bytes());
+    put(104, &[plan.format | if packed { 0x80 } else { 0 }]);
+    put(105, &length.to_le_bytes());
+    let count = table.cloud.len() as u64;
+    let legacy = u32::try_from(count).ok().filter(|_| plan.format < 6).unwrap_or(0);
+    put(107, &legacy.to_le_bytes());
+    put(247, &count.to_le_bytes());
+    for axis in 0..3 {
+        put(131 + 8 * axis, &plan.scale[axis].to_le_bytes());
+        put(155 + 8 * axis, &plan.offset[axis].to_le_bytes());
+        let finite = || table.cloud.positions.iter().map(|p| p[axis]).filter(|c| c.is_finite());
+        put(179 + 16 * axis, &finite().reduce(f64::max).unwrap_or(0.0).to_le_bytes());
+        put(187 + 16 * axis, &finite().reduce(f64::min).unwrap_or(0.0).to_le_bytes());
+    }
+    Ok(bytes)
+}

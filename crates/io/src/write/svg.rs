@@ -1,0 +1,82 @@
+//! A network as an SVG drawing in millimetres: an orthographic view from a given direction, or from the best one.
+
+use super::NetworkContext;
+use super::polyline::Polylines;
+use lineament::math::vec3::{cross, dot, sub, unit};
+use lineament::{Network, StripKind};
+use std::io::{self, Write};
+
+/// The longest side of a drawing whose scale is not given, and its margin, in millimetres.
+const SIDE: f64 = 200.0;
+const MARGIN: f64 = 5.0;
+/// A network whose thinnest extent is below this share of its next is drawn from that side.
+const FLAT: f64 = 0.1;
+
+/// Writes a path a strip, in a group a kind, and a dot a node.
+pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkContext) -> io::Result<()> {
+    let Polylines { vertices, paths } = Polylines::of(network);
+    let [right, up] = frame(context.view.unwrap_or_else(|| best_view(&vertices)));
+    let origin = vertices.first().copied().unwrap_or_default();
+    let flat: Vec<[f64; 2]> =
+        vertices.iter().map(|&v| [dot(sub(v, origin), right), -dot(sub(v, origin), up)]).collect();
+    let limit =
+        |axis: usize, pick: fn(f64, f64) -> f64| flat.iter().map(|p| p[axis]).reduce(pick).unwrap_or(0.0);
+    let (low, high) = ([0, 1].map(|a| limit(a, f64::min)), [0, 1].map(|a| limit(a, f64::max)));
+    let longest = (high[0] - low[0]).max(high[1] - low[1]);
+    let fitting = if longest > 0.0 { SIDE / longest } else { 1.0 };
+    let scale = context.millimetres.unwrap_or(fitting);
+    let [width, height] = [0, 1].map(|a| (high[a] - low[a]) * scale + 2.0 * MARGIN);
+    let place = |i: usize| [0, 1].map(|a| (flat[i][a] - low[a]) * scale + MARGIN);
+    write!(
+        out,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.3}mm\" height=\"{height:.3}mm\" "
+    )?;
+    writeln!(out, "viewBox=\"0 0 {width:.3} {height:.3}\">")?;
+    writeln!(out, "<desc>Feature lines; one unit of the input is {scale:?} mm</desc>")?;
+    for (kind, name, colour) in
+        [(StripKind::Crease, "crease", "#c81414"), (StripKind::Border, "border", "#1440c8")]
+    {
+        write!(out, "<g id=\"{name}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"0.35\" ")?;
+        writeln!(out, "stroke-linejoin=\"round\" stroke-linecap=\"round\">")?;
+        let strips = network.strips.iter().zip(&paths).enumerate();
+        for (id, (strip, path)) in strips.filter(|(_, (strip, path))| strip.kind == kind && path.len() > 1) {
+            let drawn = if strip.closed { &path[..path.len() - 1] } else { path };
+            write!(out, "<path id=\"strip-{id}\" d=\"")?;
+            for (i, &vertex) in drawn.iter().enumerate() {
+                let [x, y] = place(vertex);
+                write!(out, "{}{x:.4},{y:.4}", if i == 0 { "M" } else { " L" })?;
+            }
+            writeln!(out, "{}\"/>", if strip.closed { " Z" } else { "" })?;
+        }
+        writeln!(out, "</g>")?;
+    }
+    writeln!(out, "<g id=\"nodes\" fill=\"#202020\">")?;
+    for node in 0..network.nodes.len() {
+        let [x, y] = place(node);
+        writeln!(out, "<circle id=\"node-{node}\" cx=\"{x:.4}\" cy=\"{y:.4}\" r=\"0.6\"/>")?;
+    }
+    writeln!(out, "</g>\n</svg>")
+}
+
+/// The directions to the right and up in a view along `direction`; z is up, or y where z is looked along.
+fn frame(direction: [f64; 3]) -> [[f64; 3]; 2] {
+    let along = unit(direction);
+    let steep = along[2].abs() > 0.999;
+    let right = unit(cross(along, if steep { [0.0, 1.0, 0.0] } else { [0.0, 0.0, 1.0] }));
+    [right, cross(right, along)]
+}
+
+/// Across the thinnest side of a flat network, otherwise from a corner of its box, so that no two sides coincide.
+fn best_view(vertices: &[[f64; 3]]) -> [f64; 3] {
+    let limit =
+        |a: usize, pick: fn(f64, f64) -> f64| vertices.iter().map(|v| v[a]).reduce(pick).unwrap_or(0.0);
+    let extent = [0, 1, 2].map(|a| limit(a, f64::max) - limit(a, f64::min));
+    let mut order = [2, 1, 0];
+    order.sort_by(|&a, &b| extent[a].total_cmp(&extent[b]));
+    if extent[order[0]] < FLAT * extent[order[1]] {
+        let mut view = [0.0; 3];
+        view[order[0]] = if order[0] == 1 { 1.0 } else { -1.0 };
+        return view;
+    }
+    [-1.0, 0.8, -0.7]
+}
