@@ -1,6 +1,7 @@
 //! The `lineament` program: scan files in, feature lines out. `lineament --help` teaches it.
 
 mod args;
+mod batch;
 mod config;
 mod failure;
 mod interrupt;
@@ -19,6 +20,9 @@ fn main() -> ExitCode {
     let args = args::Args::parse();
     match interrupt::install().and_then(|()| run::run(args.command)) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(),
+        Err(failure) => {
+            failure.tell();
+            ExitCode::from(failure.code as u8)
+        }
     }
 }

@@ -45,6 +45,24 @@ fn counts(network: &Network) -> String {
     parts.join(", ")
 }
 
+/// The cells of a table of many inputs.
+pub fn row(read: usize, network: Option<&Network>, seconds: f64) -> Vec<String> {
+    let of_kind = |network: &Network, kind| network.strips.iter().filter(|s| s.kind == kind).count();
+    let counts = match network {
+        Some(n) => [
+            of_kind(n, StripKind::Crease),
+            of_kind(n, StripKind::Border),
+            n.loops(),
+            n.count(NodeKind::Junction),
+            n.count(NodeKind::Corner),
+            n.count(NodeKind::End),
+        ]
+        .map(grouped),
+        None => [(); 6].map(|()| "-".into()),
+    };
+    [vec![grouped(read)], counts.to_vec(), vec![format!("{seconds:.2}")]].concat()
+}
+
 /// Where the time went; the total includes what is not listed.
 pub fn times(input: &Input, report: &Report, verbose: bool, writing: f64, total: f64) -> String {
     if !verbose {

@@ -1,11 +1,20 @@
 //! `lineament classify`.
 
+use std::path::PathBuf;
+use std::time::Instant;
+
+use lineament::Params;
 use lineament_io::{PointTable, ReadOptions, point_format, write_points};
 
-use crate::args::Classify;
+use crate::args::{Classify, Running};
+use crate::batch::{self, Done};
 use crate::failure::Failure;
+use crate::source::Origin;
 use crate::summary::plural;
 use crate::{config, outputs, progress, source, summary};
+
+/// What a folder gets.
+const SUFFIXES: [&str; 1] = ["classes.npy"];
 
 /// Reads, extracts, and writes a class and a score for every point.
 pub fn run(args: &Classify) -> Result<(), Failure> {
@@ -14,24 +23,36 @@ pub fn run(args: &Classify) -> Result<(), Failure> {
     }
     config::threads(&args.running)?;
     let params = config::params(&args.tuning)?;
-    outputs::check(&args.output, &source::files(&args.source), point_format)?;
-    let input = source::load(&args.source, &ReadOptions::default())?;
-    let found = progress::observed(&input.cloud, &params, args.running.quiet)
-        .map_err(|e| Failure::from(e).at(&input.name))?;
+    let origins = source::origins(&args.source)?;
+    let inputs = source::files(&origins);
+    let plan = outputs::plan(&origins, &args.output, &SUFFIXES)?;
+    outputs::check(&plan, &inputs, point_format)?;
+    batch::run(&origins, args.running.quiet, args.running.verbose, |i, origin| {
+        one(origin, &inputs, &plan[i], &params, &args.running)
+    })
+}
+
+fn one(
+    origin: &Origin,
+    inputs: &[PathBuf],
+    outputs: &[PathBuf],
+    params: &Params,
+    running: &Running,
+) -> Result<Done, Failure> {
+    let start = Instant::now();
+    let input = origin.load(&ReadOptions::default())?;
+    let found = progress::observed(&input.cloud, params, running.quiet)
+        .map_err(|e| Failure::from(e).at(origin.shown()))?;
     let classes: Vec<u8> = found.classes().into_iter().map(|class| class as u8).collect();
-    let scores = found.scores();
-    let table =
-        PointTable { cloud: &input.cloud, classes: &classes, scores: &scores, las: input.las.as_ref() };
-    for path in &args.output {
-        outputs::write(path, || write_points(path, &input.files, &table))?;
+    let table = PointTable { cloud: &input.cloud, classes: &classes, scores: &found.scores() };
+    for path in outputs {
+        outputs::write(path, || write_points(path, inputs, &table))?;
     }
-    if !args.running.quiet {
-        let mut lines = summary::of(&input, &found, args.running.verbose);
-        lines.push(counts(&classes));
-        lines.push(summary::written(&args.output));
-        eprintln!("{}", lines.join("\n"));
-    }
-    Ok(())
+    let mut lines = summary::of(&input, &found, running.verbose);
+    lines.push(counts(&classes));
+    lines.push(summary::written(outputs));
+    let seconds = start.elapsed().as_secs_f64();
+    Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), seconds) })
 }
 
 fn counts(classes: &[u8]) -> String {

@@ -9,8 +9,9 @@ use lineament::{Cloud, Column};
 use lineament_io::ReadOptions;
 
 use crate::args::Info;
+use crate::batch;
 use crate::failure::Failure;
-use crate::source::{self, Input, print};
+use crate::source::{self, Input, Origin, print};
 use crate::summary::{figure, grouped};
 
 /// Neighbours that spacing and noise are estimated from.
@@ -18,17 +19,33 @@ const NEIGHBORS: usize = 12;
 /// Fewer points have a spacing, but no noise that means anything.
 const LEAST_FOR_NOISE: usize = 20;
 
-/// Prints what a file holds, on standard output.
+/// Prints what each file holds, on standard output.
 pub fn run(args: &Info) -> Result<(), Failure> {
     if source::is_list(&args.source) {
         return source::print_list();
     }
     let options = ReadOptions { salvage: args.salvage, ..Default::default() };
-    let input = source::load(&args.source, &options)?;
+    let origins = source::origins(&args.source)?;
+    let mut failed = 0;
+    for (i, origin) in origins.iter().enumerate() {
+        match described(origin, &options) {
+            Ok(text) => print(&format!("{}{text}", if i > 0 { "\n" } else { "" }))?,
+            Err(failure) if origins.len() == 1 => return Err(failure),
+            Err(failure) => {
+                failed += 1;
+                failure.tell();
+            }
+        }
+    }
+    batch::partial(failed, origins.len())
+}
+
+fn described(origin: &Origin, options: &ReadOptions) -> Result<String, Failure> {
+    let input = origin.load(options)?;
     let mut text = String::new();
     file_lines(&mut text, &input);
-    cloud_lines(&mut text, &input.cloud)?;
-    print(&text)
+    cloud_lines(&mut text, &input.cloud).map_err(|e| e.at(origin.shown()))?;
+    Ok(text)
 }
 
 fn line(text: &mut String, label: &str, value: impl std::fmt::Display) {

@@ -1,16 +1,28 @@
 //! `lineament render`.
 
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
 
-use lineament::Network;
 use lineament::apply::render::{Picture, Scene, Settings, View, render, surfels};
+use lineament::{Network, Params};
 use lineament_io as io;
 
 use crate::args::Render;
+use crate::batch::{self, Done};
 use crate::failure::{Code, Failure};
-use crate::source::{self, Input};
+use crate::source::{self, Input, Origin};
 use crate::{config, network_file, outputs, progress, summary};
+
+/// What a folder gets.
+const SUFFIXES: [&str; 1] = ["png"];
+
+/// Where the lines come from.
+enum Lines {
+    Absent,
+    Computed(Box<Params>),
+    Read(PathBuf),
+}
 
 /// Reads, extracts if asked to, draws, and writes the picture.
 pub fn run(args: &Render) -> Result<(), Failure> {
@@ -19,27 +31,47 @@ pub fn run(args: &Render) -> Result<(), Failure> {
     }
     config::threads(&args.running)?;
     let settings = settings(args)?;
-    let mut inputs = source::files(&args.source);
-    outputs::check(std::slice::from_ref(&args.output), &inputs, png_only)?;
-    let input = source::load(&args.source, &io::ReadOptions { attributes: false, ..Default::default() })?;
-    let mut lines = Vec::new();
-    let network = match args.network.to_str() {
-        Some("none") => None,
-        Some("computed") => Some(computed(args, &input, &mut lines)?),
-        _ => {
-            inputs.push(args.network.clone());
-            Some(network_file::read(&args.network)?)
+    let params = config::params(&args.tuning)?;
+    let origins = source::origins(&args.source)?;
+    let inputs = source::files(&origins);
+    let plan = outputs::plan(&origins, std::slice::from_ref(&args.output), &SUFFIXES)?;
+    outputs::check(&plan, &inputs, png_only)?;
+    batch::run(&origins, args.running.quiet, args.running.verbose, |i, origin| {
+        let lines = match args.network.to_str() {
+            Some("none") => Lines::Absent,
+            Some("computed") => Lines::Computed(Box::new(params.clone())),
+            _ => Lines::Read(outputs::filled(&args.network, origin)),
+        };
+        one(args, origin, &inputs, &plan[i], &lines, &settings)
+    })
+}
+
+fn one(
+    args: &Render,
+    origin: &Origin,
+    inputs: &[PathBuf],
+    outputs: &[PathBuf],
+    lines: &Lines,
+    settings: &Settings,
+) -> Result<Done, Failure> {
+    let start = Instant::now();
+    let input = origin.load(&io::ReadOptions { attributes: false, ..Default::default() })?;
+    let mut inputs = inputs.to_vec();
+    let mut said = Vec::new();
+    let network = match lines {
+        Lines::Absent => None,
+        Lines::Computed(params) => Some(computed(args, params, origin, &input, &mut said)?),
+        Lines::Read(path) => {
+            inputs.push(path.clone());
+            Some(network_file::read(path)?)
         }
     };
-    let (surfels, spacing) = surfels(&input.cloud).map_err(|e| Failure::from(e).at(&input.name))?;
-    let scene = Scene { surfels: &surfels, network: network.as_ref(), spacing };
-    let picture = render(&scene, &settings)?;
-    write(&args.output, &inputs, &picture)?;
-    if !args.running.quiet {
-        lines.push(summary::written(std::slice::from_ref(&args.output)));
-        eprintln!("{}", lines.join("\n"));
-    }
-    Ok(())
+    let (surfels, spacing) = surfels(&input.cloud).map_err(|e| Failure::from(e).at(origin.shown()))?;
+    let picture = render(&Scene { surfels: &surfels, network: network.as_ref(), spacing }, settings)?;
+    outputs.iter().try_for_each(|path| write(path, &inputs, &picture))?;
+    said.push(summary::written(outputs));
+    let seconds = start.elapsed().as_secs_f64();
+    Ok(Done { lines: said, row: summary::row(input.cloud.len(), network.as_ref(), seconds) })
 }
 
 fn settings(args: &Render) -> Result<Settings, Failure> {
@@ -56,11 +88,16 @@ fn settings(args: &Render) -> Result<Settings, Failure> {
     Ok(settings)
 }
 
-fn computed(args: &Render, input: &Input, lines: &mut Vec<String>) -> Result<Network, Failure> {
-    let params = config::params(&args.tuning)?;
-    let found = progress::observed(&input.cloud, &params, args.running.quiet)
-        .map_err(|e| Failure::from(e).at(&input.name).advise("`--network none` draws the points alone"))?;
-    *lines = summary::of(input, &found, args.running.verbose);
+fn computed(
+    args: &Render,
+    params: &Params,
+    origin: &Origin,
+    input: &Input,
+    said: &mut Vec<String>,
+) -> Result<Network, Failure> {
+    let found = progress::observed(&input.cloud, params, args.running.quiet)
+        .map_err(|e| Failure::from(e).at(origin.shown()).advise("`--network none` draws the points alone"))?;
+    *said = summary::of(input, &found, args.running.verbose);
     Ok(found.network)
 }
 
@@ -74,7 +111,7 @@ fn png_only(path: &Path) -> Result<(), Failure> {
     Err(Failure::new(Code::Usage, message))
 }
 
-fn write(path: &Path, inputs: &[std::path::PathBuf], picture: &Picture) -> Result<(), Failure> {
+fn write(path: &Path, inputs: &[PathBuf], picture: &Picture) -> Result<(), Failure> {
     let failed = |e: png::EncodingError| Failure::new(Code::Output, format!("{}: {e}", path.display()));
     if path.as_os_str() == "-" {
         return encode(&mut std::io::stdout().lock(), picture).map_err(failed);
