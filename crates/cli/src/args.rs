@@ -200,7 +200,7 @@ pub struct Running {
     /// Say nothing but errors
     #[arg(short, long, conflicts_with = "verbose")]
     pub quiet: bool,
-    /// Say more: the values chosen for automatic parameters, what was passed over in the input, the time a stage
+    /// Say more: the values chosen for automatic parameters, what was passed over in the input
     #[arg(short, long, action = ArgAction::SetTrue)]
     pub verbose: bool,
 }

@@ -64,10 +64,7 @@ pub fn row(read: usize, network: Option<&Network>, seconds: f64) -> Vec<String> 
 }
 
 /// Where the time went; the total includes what is not listed.
-pub fn times(input: &Input, report: &Report, verbose: bool, writing: f64, total: f64) -> String {
-    if !verbose {
-        return format!("{total:.2} s");
-    }
+pub fn times(input: &Input, report: &Report, writing: f64, total: f64) -> String {
     let stages = report.stages.iter().map(|(stage, seconds)| (stage.name(), *seconds));
     let all = [("read", input.seconds)].into_iter().chain(stages).chain([("write", writing)]);
     let parts: Vec<String> = all.map(|(name, seconds)| format!("{name} {seconds:.2}")).collect();

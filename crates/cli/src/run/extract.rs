@@ -50,7 +50,7 @@ fn one(
     }
     let [wrote, total] = [writing, start].map(|t| t.elapsed().as_secs_f64());
     let mut lines = summary::of(&input, &found, running.verbose);
-    lines.push(summary::times(&input, &found.report, running.verbose, wrote, total));
+    lines.push(summary::times(&input, &found.report, wrote, total));
     lines.push(summary::written(outputs));
     Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), total) })
 }
