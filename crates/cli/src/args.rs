@@ -158,9 +158,6 @@ pub struct Render {
 pub struct Info {
     #[command(flatten)]
     pub source: Source,
-    /// Read what is whole of a file that ends early
-    #[arg(long)]
-    pub salvage: bool,
 }
 
 /// Where the points come from.
@@ -175,6 +172,12 @@ pub struct Source {
     /// Seed of the generated scan
     #[arg(long, value_name = "N", requires = "sample", default_value_t = 1)]
     pub seed: u64,
+    /// Of a file that ends early, read what is whole, and say how much is missing
+    #[arg(long)]
+    pub salvage: bool,
+    /// Refuse scans with points that are not finite instead of leaving those out
+    #[arg(long)]
+    pub strict: bool,
 }
 
 /// What the extraction may be told; nothing needs to be.

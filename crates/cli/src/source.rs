@@ -27,7 +27,9 @@ pub struct Input {
     pub sha256: Option<String>,
     /// The name of the format, and the number of bytes; nothing for a generated scan.
     pub format: Option<(String, u64)>,
-    /// What was passed over in the file, or is missing from it; a sentence each.
+    /// What is missing from a file that was salvaged.
+    pub missing: Option<String>,
+    /// What was passed over in the file; a sentence each.
     pub remarks: Vec<String>,
     /// Seconds that reading took.
     pub seconds: f64,
@@ -87,15 +89,29 @@ impl Origin {
     /// Reads or generates the points.
     ///
     /// # Errors
-    /// Input if a file cannot be read, usage if there is no such sample.
-    pub fn load(&self, options: &ReadOptions) -> Result<Input, Failure> {
+    /// Input if a file cannot be read, usage if there is no such sample, refused if `--strict` says so.
+    pub fn load(&self, source: &Source, options: &ReadOptions) -> Result<Input, Failure> {
         let start = Instant::now();
+        let options = &ReadOptions { salvage: source.salvage, ..options.clone() };
         let input = match self {
             Origin::File(path) => from_file(path, self.name(), options),
             Origin::Stdin => from_file(Path::new("-"), self.name(), options),
             Origin::Sample { name, seed } => from_sample(name, *seed, self.name()),
         }?;
+        if source.strict {
+            self.refuse_non_finite(&input.cloud)?;
+        }
         Ok(Input { seconds: start.elapsed().as_secs_f64(), ..input })
+    }
+
+    fn refuse_non_finite(&self, cloud: &Cloud) -> Result<(), Failure> {
+        let odd = |point: &&[f64; 3]| !point.iter().all(|x| x.is_finite());
+        let Some(first) = cloud.positions.iter().position(|p| odd(&p)) else { return Ok(()) };
+        let count = cloud.positions.iter().filter(odd).count();
+        let [x, y, z] = cloud.positions[first];
+        let message = format!("{}: point {first} is not finite ({x} {y} {z}), {count} in all", self.shown());
+        Err(Failure::new(Code::Refused, message)
+            .advise("without --strict such points are left out and counted"))
     }
 
     /// As outputs name it: without folders, so that they do not depend on where the program runs.
@@ -109,12 +125,12 @@ impl Origin {
 
 fn from_file(path: &Path, name: String, options: &ReadOptions) -> Result<Input, Failure> {
     let scan = read(path, options)?;
-    let missing = scan.missing.iter().map(|m| format!("the file ends early: {m}"));
     Ok(Input {
         name,
         sha256: scan.sha256,
         format: Some((scan.format.to_string(), scan.bytes)),
-        remarks: missing.chain(scan.ignored).collect(),
+        missing: scan.missing.map(|m| format!("the file ends early: {m}")),
+        remarks: scan.ignored,
         cloud: scan.cloud,
         seconds: 0.0,
     })
@@ -126,7 +142,7 @@ fn from_sample(sample: &str, seed: u64, name: String) -> Result<Input, Failure> 
             .advise("`lineament extract --sample list` lists them")
     })?;
     let cloud = (found.make)(seed).cloud;
-    Ok(Input { cloud, name, sha256: None, format: None, remarks: Vec::new(), seconds: 0.0 })
+    Ok(Input { cloud, name, sha256: None, format: None, missing: None, remarks: Vec::new(), seconds: 0.0 })
 }
 
 /// Whether the source is the request to list the samples.

@@ -10,6 +10,7 @@ use crate::source::Input;
 pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> {
     let report = &extraction.report;
     let mut lines = vec![points(input, report), resolution(report), counts(&extraction.network)];
+    lines.extend(input.missing.iter().map(|missing| format!("warning: {missing}")));
     lines.extend(report.notes.iter().map(|note| format!("note: {note}")));
     if verbose {
         lines.extend(input.remarks.iter().map(|remark| format!("input: {remark}")));

@@ -6,7 +6,7 @@ use std::time::Instant;
 use lineament::Params;
 use lineament_io::{PointTable, ReadOptions, point_format, write_points};
 
-use crate::args::{Classify, Running};
+use crate::args::Classify;
 use crate::batch::{self, Done};
 use crate::failure::Failure;
 use crate::source::Origin;
@@ -28,27 +28,27 @@ pub fn run(args: &Classify) -> Result<(), Failure> {
     let plan = outputs::plan(&origins, &args.output, &SUFFIXES)?;
     outputs::check(&plan, &inputs, point_format)?;
     batch::run(&origins, args.running.quiet, args.running.verbose, |i, origin| {
-        one(origin, &inputs, &plan[i], &params, &args.running)
+        one(args, origin, &inputs, &plan[i], &params)
     })
 }
 
 fn one(
+    args: &Classify,
     origin: &Origin,
     inputs: &[PathBuf],
     outputs: &[PathBuf],
     params: &Params,
-    running: &Running,
 ) -> Result<Done, Failure> {
     let start = Instant::now();
-    let input = origin.load(&ReadOptions::default())?;
-    let found = progress::observed(&input.cloud, params, running.quiet)
+    let input = origin.load(&args.source, &ReadOptions::default())?;
+    let found = progress::observed(&input.cloud, params, args.running.quiet)
         .map_err(|e| Failure::from(e).at(origin.shown()))?;
     let classes: Vec<u8> = found.classes().into_iter().map(|class| class as u8).collect();
     let table = PointTable { cloud: &input.cloud, classes: &classes, scores: &found.scores() };
     for path in outputs {
         outputs::write(path, || write_points(path, inputs, &table))?;
     }
-    let mut lines = summary::of(&input, &found, running.verbose);
+    let mut lines = summary::of(&input, &found, args.running.verbose);
     lines.push(counts(&classes));
     lines.push(summary::written(outputs));
     let seconds = start.elapsed().as_secs_f64();

@@ -6,7 +6,7 @@ use std::time::Instant;
 use lineament::{Extraction, Params};
 use lineament_io::{NetworkContext, Parameter, ReadOptions, network_format, write_network};
 
-use crate::args::{Extract, Running};
+use crate::args::Extract;
 use crate::batch::{self, Done};
 use crate::config::{self, text};
 use crate::failure::Failure;
@@ -28,20 +28,21 @@ pub fn run(args: &Extract) -> Result<(), Failure> {
     let plan = outputs::plan(&origins, &args.output, &SUFFIXES)?;
     outputs::check(&plan, &inputs, network_format)?;
     batch::run(&origins, args.running.quiet, args.running.verbose, |i, origin| {
-        one(origin, &inputs, &plan[i], &params, &args.running)
+        one(args, origin, &inputs, &plan[i], &params)
     })
 }
 
 fn one(
+    args: &Extract,
     origin: &Origin,
     inputs: &[PathBuf],
     outputs: &[PathBuf],
     params: &Params,
-    running: &Running,
 ) -> Result<Done, Failure> {
     let start = Instant::now();
-    let input = origin.load(&ReadOptions { attributes: false, hash: true, ..Default::default() })?;
-    let found = progress::observed(&input.cloud, params, running.quiet)
+    let input =
+        origin.load(&args.source, &ReadOptions { attributes: false, hash: true, ..Default::default() })?;
+    let found = progress::observed(&input.cloud, params, args.running.quiet)
         .map_err(|e| Failure::from(e).at(origin.shown()))?;
     let context = context(&input, params, &found);
     let writing = Instant::now();
@@ -49,7 +50,7 @@ fn one(
         outputs::write(path, || write_network(path, inputs, &found.network, &context))?;
     }
     let [wrote, total] = [writing, start].map(|t| t.elapsed().as_secs_f64());
-    let mut lines = summary::of(&input, &found, running.verbose);
+    let mut lines = summary::of(&input, &found, args.running.verbose);
     lines.push(summary::times(&input, &found.report, wrote, total));
     lines.push(summary::written(outputs));
     Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), total) })

@@ -8,7 +8,7 @@ use lineament::resolution::Resolution;
 use lineament::{Cloud, Column};
 use lineament_io::ReadOptions;
 
-use crate::args::Info;
+use crate::args::{Info, Source};
 use crate::batch;
 use crate::failure::Failure;
 use crate::source::{self, Input, Origin, print};
@@ -24,11 +24,10 @@ pub fn run(args: &Info) -> Result<(), Failure> {
     if source::is_list(&args.source) {
         return source::print_list();
     }
-    let options = ReadOptions { salvage: args.salvage, ..Default::default() };
     let origins = source::origins(&args.source)?;
     let mut failed = 0;
     for (i, origin) in origins.iter().enumerate() {
-        match described(origin, &options) {
+        match described(origin, &args.source) {
             Ok(text) => print(&format!("{}{text}", if i > 0 { "\n" } else { "" }))?,
             Err(failure) if origins.len() == 1 => return Err(failure),
             Err(failure) => {
@@ -40,8 +39,8 @@ pub fn run(args: &Info) -> Result<(), Failure> {
     batch::partial(failed, origins.len())
 }
 
-fn described(origin: &Origin, options: &ReadOptions) -> Result<String, Failure> {
-    let input = origin.load(options)?;
+fn described(origin: &Origin, source: &Source) -> Result<String, Failure> {
+    let input = origin.load(source, &ReadOptions::default())?;
     let mut text = String::new();
     file_lines(&mut text, &input);
     cloud_lines(&mut text, &input.cloud).map_err(|e| e.at(origin.shown()))?;
@@ -62,6 +61,7 @@ fn file_lines(text: &mut String, input: &Input) {
     for attribute in &input.cloud.attributes {
         line(text, "attribute", format!("{} ({})", attribute.name, type_name(&attribute.values)));
     }
+    input.missing.iter().for_each(|missing| line(text, "warning", missing));
     input.remarks.iter().for_each(|remark| line(text, "note", remark));
 }
 

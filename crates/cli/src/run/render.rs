@@ -55,7 +55,7 @@ fn one(
     settings: &Settings,
 ) -> Result<Done, Failure> {
     let start = Instant::now();
-    let input = origin.load(&io::ReadOptions { attributes: false, ..Default::default() })?;
+    let input = origin.load(&args.source, &io::ReadOptions { attributes: false, ..Default::default() })?;
     let mut inputs = inputs.to_vec();
     let mut said = Vec::new();
     let network = match lines {
