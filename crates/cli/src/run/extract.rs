@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use lineament::{Extraction, Params};
-use lineament_io::{NetworkContext, Parameter, ReadOptions, network_format, write_network};
+use lineament_io::{NetworkContext, NetworkFormat, Parameter, ReadOptions, network_format, write_network};
 
 use crate::args::Extract;
 use crate::batch::{self, Done};
@@ -40,8 +40,9 @@ fn one(
     params: &Params,
 ) -> Result<Done, Failure> {
     let start = Instant::now();
-    let input =
-        origin.load(&args.source, &ReadOptions { attributes: false, hash: true, ..Default::default() })?;
+    let hash = outputs.iter().any(|path| matches!(network_format(path), Ok(NetworkFormat::Json)));
+    let options = ReadOptions { attributes: false, hash, ..Default::default() };
+    let input = origin.load(&args.source, &options)?;
     let found = progress::observed(&input.cloud, params, args.running.quiet)
         .map_err(|e| Failure::from(e).at(origin.shown()))?;
     let context = context(&input, params, &found);

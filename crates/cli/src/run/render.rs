@@ -126,7 +126,7 @@ fn write(path: &Path, inputs: &[PathBuf], picture: &Picture) -> Result<(), Failu
 fn encode(out: &mut dyn Write, picture: &Picture) -> Result<(), png::EncodingError> {
     let mut encoder = png::Encoder::new(&mut *out, picture.width as u32, picture.height as u32);
     encoder.set_color(png::ColorType::Rgb);
-    encoder.set_compression(png::Compression::Fast);
+    encoder.set_compression(png::Compression::Balanced);
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&picture.rgb)?;
     writer.finish()?;
