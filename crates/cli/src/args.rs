@@ -94,41 +94,31 @@ pub enum Command {
 #[derive(Debug, ClapArgs)]
 #[command(after_help = EXTRACT_HELP)]
 pub struct Extract {
-    #[command(flatten)]
-    pub source: Source,
     /// Where to write the lines; the extension says the format. May be given several times; a folder gets
     /// NAME.lines.json and NAME.lines.obj, `{stem}` stands for the input's name, `-` is JSON on standard output
     /// [default: NAME.lines.json and NAME.lines.obj beside the input]
     #[arg(short, long, value_name = "OUT", value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
     #[command(flatten)]
-    pub tuning: Tuning,
-    #[command(flatten)]
-    pub running: Running,
+    pub work: Work,
 }
 
 /// Arguments of `classify`.
 #[derive(Debug, ClapArgs)]
 #[command(after_help = CLASSIFY_HELP)]
 pub struct Classify {
-    #[command(flatten)]
-    pub source: Source,
     /// Where to write one row a point, in the order of the input; points that were dropped are 0. May be given several
     /// times; a folder gets NAME.classes.npy, `{stem}` stands for the input's name, `-` is NPY on standard output
     #[arg(short, long, value_name = "OUT", required = true, value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
     #[command(flatten)]
-    pub tuning: Tuning,
-    #[command(flatten)]
-    pub running: Running,
+    pub work: Work,
 }
 
 /// Arguments of `render`.
 #[derive(Debug, ClapArgs)]
 #[command(after_help = RENDER_HELP)]
 pub struct Render {
-    #[command(flatten)]
-    pub source: Source,
     /// The PNG file to write; a folder gets NAME.png, `{stem}` stands for the input's name, `-` is standard output
     #[arg(short, long, value_name = "OUT.png", required = true, value_hint = ValueHint::FilePath)]
     pub output: PathBuf,
@@ -148,9 +138,7 @@ pub struct Render {
     #[arg(long)]
     pub no_caption: bool,
     #[command(flatten)]
-    pub tuning: Tuning,
-    #[command(flatten)]
-    pub running: Running,
+    pub work: Work,
 }
 
 /// Arguments of `info`.
@@ -158,6 +146,17 @@ pub struct Render {
 pub struct Info {
     #[command(flatten)]
     pub source: Source,
+}
+
+/// What the commands that extract have in common.
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Work {
+    #[command(flatten)]
+    pub source: Source,
+    #[command(flatten)]
+    pub tuning: Tuning,
+    #[command(flatten)]
+    pub running: Running,
 }
 
 /// Where the points come from.

@@ -11,6 +11,7 @@ mod progress;
 mod run;
 mod source;
 mod summary;
+mod work;
 
 use std::process::ExitCode;
 

@@ -7,51 +7,37 @@ use lineament::{Extraction, Params};
 use lineament_io::{NetworkContext, NetworkFormat, Parameter, ReadOptions, network_format, write_network};
 
 use crate::args::Extract;
-use crate::batch::{self, Done};
-use crate::config::{self, text};
+use crate::batch::Done;
+use crate::config::text;
 use crate::failure::Failure;
 use crate::source::{self, Input, Origin};
-use crate::{outputs, progress, summary};
+use crate::work::{self, Work};
+use crate::{outputs, summary};
 
 /// What a folder, or the place beside an input, gets.
 const SUFFIXES: [&str; 2] = ["lines.json", "lines.obj"];
 
 /// Reads, extracts, writes, and says what came of it.
 pub fn run(args: &Extract) -> Result<(), Failure> {
-    if source::is_list(&args.source) {
+    if source::is_list(&args.work.source) {
         return source::print_list();
     }
-    config::threads(&args.running)?;
-    let params = config::params(&args.tuning)?;
-    let origins = source::origins(&args.source)?;
-    let inputs = source::files(&origins);
-    let plan = outputs::plan(&origins, &args.output, &SUFFIXES)?;
-    outputs::check(&plan, &inputs, network_format)?;
-    batch::run(&origins, args.running.quiet, args.running.verbose, |i, origin| {
-        one(args, origin, &inputs, &plan[i], &params)
-    })
+    let work = work::prepare(&args.work, &args.output, &SUFFIXES, network_format)?;
+    work.each(|origin, outputs| one(&work, origin, outputs))
 }
 
-fn one(
-    args: &Extract,
-    origin: &Origin,
-    inputs: &[PathBuf],
-    outputs: &[PathBuf],
-    params: &Params,
-) -> Result<Done, Failure> {
+fn one(work: &Work, origin: &Origin, outputs: &[PathBuf]) -> Result<Done, Failure> {
     let start = Instant::now();
     let hash = outputs.iter().any(|path| matches!(network_format(path), Ok(NetworkFormat::Json)));
-    let options = ReadOptions { attributes: false, hash, ..Default::default() };
-    let input = origin.load(&args.source, &options)?;
-    let found = progress::observed(&input.cloud, params, args.running.quiet)
-        .map_err(|e| Failure::from(e).at(origin.shown()))?;
-    let context = context(&input, params, &found);
+    let input = work.load(origin, &ReadOptions { attributes: false, hash, ..Default::default() })?;
+    let found = work.extract(origin, &input)?;
+    let context = context(&input, &work.params, &found);
     let writing = Instant::now();
     for path in outputs {
-        outputs::write(path, || write_network(path, inputs, &found.network, &context))?;
+        outputs::write(path, || write_network(path, &work.inputs, &found.network, &context))?;
     }
     let [wrote, total] = [writing, start].map(|t| t.elapsed().as_secs_f64());
-    let mut lines = summary::of(&input, &found, args.running.verbose);
+    let mut lines = summary::of(&input, &found, work.args.running.verbose);
     lines.push(summary::times(&input, &found.report, wrote, total));
     lines.push(summary::written(outputs));
     Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), total) })

@@ -4,66 +4,47 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use lineament::Network;
 use lineament::apply::render::{Picture, Scene, Settings, View, render, surfels};
-use lineament::{Network, Params};
 use lineament_io as io;
 
 use crate::args::Render;
-use crate::batch::{self, Done};
+use crate::batch::Done;
 use crate::failure::{Code, Failure};
 use crate::source::{self, Input, Origin};
-use crate::{config, network_file, outputs, progress, summary};
+use crate::work::{self, Work};
+use crate::{network_file, outputs, summary};
 
 /// What a folder gets.
 const SUFFIXES: [&str; 1] = ["png"];
 
-/// Where the lines come from.
-enum Lines {
-    Absent,
-    Computed(Box<Params>),
-    Read(PathBuf),
-}
-
 /// Reads, extracts if asked to, draws, and writes the picture.
 pub fn run(args: &Render) -> Result<(), Failure> {
-    if source::is_list(&args.source) {
+    if source::is_list(&args.work.source) {
         return source::print_list();
     }
-    config::threads(&args.running)?;
     let settings = settings(args)?;
-    let params = config::params(&args.tuning)?;
-    let origins = source::origins(&args.source)?;
-    let inputs = source::files(&origins);
-    let plan = outputs::plan(&origins, std::slice::from_ref(&args.output), &SUFFIXES)?;
-    outputs::check(&plan, &inputs, png_only)?;
-    batch::run(&origins, args.running.quiet, args.running.verbose, |i, origin| {
-        let lines = match args.network.to_str() {
-            Some("none") => Lines::Absent,
-            Some("computed") => Lines::Computed(Box::new(params.clone())),
-            _ => Lines::Read(outputs::filled(&args.network, origin)),
-        };
-        one(args, origin, &inputs, &plan[i], &lines, &settings)
-    })
+    let work = work::prepare(&args.work, std::slice::from_ref(&args.output), &SUFFIXES, png_only)?;
+    work.each(|origin, outputs| one(&work, origin, outputs, &args.network, &settings))
 }
 
 fn one(
-    args: &Render,
+    work: &Work,
     origin: &Origin,
-    inputs: &[PathBuf],
     outputs: &[PathBuf],
-    lines: &Lines,
+    network: &Path,
     settings: &Settings,
 ) -> Result<Done, Failure> {
     let start = Instant::now();
-    let input = origin.load(&args.source, &io::ReadOptions { attributes: false, ..Default::default() })?;
-    let mut inputs = inputs.to_vec();
+    let input = work.load(origin, &io::ReadOptions { attributes: false, ..Default::default() })?;
+    let mut inputs = work.inputs.clone();
     let mut said = Vec::new();
-    let network = match lines {
-        Lines::Absent => None,
-        Lines::Computed(params) => Some(computed(args, params, origin, &input, &mut said)?),
-        Lines::Read(path) => {
-            inputs.push(path.clone());
-            Some(network_file::read(path)?)
+    let network = match network.to_str() {
+        Some("none") => None,
+        Some("computed") => Some(computed(work, origin, &input, &mut said)?),
+        _ => {
+            inputs.push(outputs::filled(network, origin));
+            Some(network_file::read(&outputs::filled(network, origin))?)
         }
     };
     let (surfels, spacing) = surfels(&input.cloud).map_err(|e| Failure::from(e).at(origin.shown()))?;
@@ -72,6 +53,13 @@ fn one(
     said.push(summary::written(outputs));
     let seconds = start.elapsed().as_secs_f64();
     Ok(Done { lines: said, row: summary::row(input.cloud.len(), network.as_ref(), seconds) })
+}
+
+fn computed(work: &Work, origin: &Origin, input: &Input, said: &mut Vec<String>) -> Result<Network, Failure> {
+    let found =
+        work.extract(origin, input).map_err(|e| e.advise("`--network none` draws the points alone"))?;
+    *said = summary::of(input, &found, work.args.running.verbose);
+    Ok(found.network)
 }
 
 fn settings(args: &Render) -> Result<Settings, Failure> {
@@ -86,19 +74,6 @@ fn settings(args: &Render) -> Result<Settings, Failure> {
     let settings = Settings { view, up, width, height, caption: !args.no_caption };
     settings.check().map_err(usage)?;
     Ok(settings)
-}
-
-fn computed(
-    args: &Render,
-    params: &Params,
-    origin: &Origin,
-    input: &Input,
-    said: &mut Vec<String>,
-) -> Result<Network, Failure> {
-    let found = progress::observed(&input.cloud, params, args.running.quiet)
-        .map_err(|e| Failure::from(e).at(origin.shown()).advise("`--network none` draws the points alone"))?;
-    *said = summary::of(input, &found, args.running.verbose);
-    Ok(found.network)
 }
 
 /// Accepts `-` and names that end in `.png`.
