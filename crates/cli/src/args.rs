@@ -15,7 +15,7 @@ Examples:
 
 Exit codes:
   0    everything asked for was done
-  1    some of the inputs failed, the others have their results
+  1    of several inputs one or more failed, the others have their results
   2    the command line does not make sense
   3    an input cannot be read, or is malformed
   4    refused: a parameter is out of range, or the points have no surface
@@ -44,6 +44,7 @@ Examples:
   lineament extract part.ply
   lineament extract part.ply -o lines/part.dxf --method penalty
   lineament extract part.ply --params tuning.toml --set penalty.fold_deg=15
+  lineament extract scans/*.ply -o lines/ -o 'cad/{stem}.dxf'
   zcat scan.xyz.gz | lineament extract - -o - > lines.json";
 
 const CLASSIFY_HELP: &str = "\
@@ -93,42 +94,33 @@ pub enum Command {
 #[derive(Debug, ClapArgs)]
 #[command(after_help = EXTRACT_HELP)]
 pub struct Extract {
-    #[command(flatten)]
-    pub source: Source,
-    /// Where to write the lines; the extension says the format. May be given several times; `-` is JSON on standard
-    /// output [default: INPUT.lines.json and INPUT.lines.obj]
+    /// Where to write the lines; the extension says the format. May be given several times; a folder gets
+    /// NAME.lines.json and NAME.lines.obj, `{stem}` stands for the input's name, `-` is JSON on standard output
+    /// [default: NAME.lines.json and NAME.lines.obj beside the input]
     #[arg(short, long, value_name = "OUT", value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
     #[command(flatten)]
-    pub tuning: Tuning,
-    #[command(flatten)]
-    pub running: Running,
+    pub work: Work,
 }
 
 /// Arguments of `classify`.
 #[derive(Debug, ClapArgs)]
 #[command(after_help = CLASSIFY_HELP)]
 pub struct Classify {
-    #[command(flatten)]
-    pub source: Source,
     /// Where to write one row a point, in the order of the input; points that were dropped are 0. May be given several
-    /// times; `-` is NPY on standard output
+    /// times; a folder gets NAME.classes.npy, `{stem}` stands for the input's name, `-` is NPY on standard output
     #[arg(short, long, value_name = "OUT", required = true, value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
     #[command(flatten)]
-    pub tuning: Tuning,
-    #[command(flatten)]
-    pub running: Running,
+    pub work: Work,
 }
 
 /// Arguments of `render`.
 #[derive(Debug, ClapArgs)]
 #[command(after_help = RENDER_HELP)]
 pub struct Render {
-    #[command(flatten)]
-    pub source: Source,
-    /// The PNG file to write; `-` is standard output
-    #[arg(short, long, value_name = "OUT.png", value_hint = ValueHint::FilePath)]
+    /// The PNG file to write; a folder gets NAME.png, `{stem}` stands for the input's name, `-` is standard output
+    #[arg(short, long, value_name = "OUT.png", required = true, value_hint = ValueHint::FilePath)]
     pub output: PathBuf,
     /// Where to look from: auto, top, bottom, front, back, left, right, iso, or X,Y,Z, a direction towards the eye
     #[arg(long, default_value = "auto", allow_hyphen_values = true)]
@@ -139,16 +131,14 @@ pub struct Render {
     /// Width and height of the picture in pixels
     #[arg(long, value_name = "WxH", default_value = "1600x1200", value_parser = parse_size)]
     pub size: (usize, usize),
-    /// The lines to draw: `computed`, `none`, or a JSON file that `extract` wrote
+    /// The lines to draw: `computed`, `none`, or a JSON file that `extract` wrote, `{stem}` as in -o
     #[arg(long, value_name = "FILE.json", default_value = "computed", value_hint = ValueHint::FilePath)]
     pub network: PathBuf,
     /// Leave out the line of text that says what the colours mean
     #[arg(long)]
     pub no_caption: bool,
     #[command(flatten)]
-    pub tuning: Tuning,
-    #[command(flatten)]
-    pub running: Running,
+    pub work: Work,
 }
 
 /// Arguments of `info`.
@@ -156,23 +146,37 @@ pub struct Render {
 pub struct Info {
     #[command(flatten)]
     pub source: Source,
-    /// Read what is whole of a file that ends early
-    #[arg(long)]
-    pub salvage: bool,
+}
+
+/// What the commands that extract have in common.
+#[derive(Clone, Debug, ClapArgs)]
+pub struct Work {
+    #[command(flatten)]
+    pub source: Source,
+    #[command(flatten)]
+    pub tuning: Tuning,
+    #[command(flatten)]
+    pub running: Running,
 }
 
 /// Where the points come from.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Source {
-    /// The scan to read; `-` is standard input
+    /// The scans to read, each on its own; `-` is standard input
     #[arg(value_hint = ValueHint::FilePath, required_unless_present = "sample", conflicts_with = "sample")]
-    pub input: Option<PathBuf>,
+    pub input: Vec<PathBuf>,
     /// Use a generated scan instead of a file; `list` lists them
     #[arg(long, value_name = "NAME")]
     pub sample: Option<String>,
     /// Seed of the generated scan
     #[arg(long, value_name = "N", requires = "sample", default_value_t = 1)]
     pub seed: u64,
+    /// Of a file that ends early, read what is whole, and say how much is missing
+    #[arg(long)]
+    pub salvage: bool,
+    /// Refuse scans with points that are not finite instead of leaving those out
+    #[arg(long)]
+    pub strict: bool,
 }
 
 /// What the extraction may be told; nothing needs to be.
@@ -198,7 +202,7 @@ pub struct Running {
     /// Say nothing but errors
     #[arg(short, long, conflicts_with = "verbose")]
     pub quiet: bool,
-    /// Say more: the values chosen for automatic parameters, what was passed over in the input, the time a stage
+    /// Say more: the values chosen for automatic parameters, what was passed over in the input
     #[arg(short, long, action = ArgAction::SetTrue)]
     pub verbose: bool,
 }

@@ -1,12 +1,12 @@
 //! Why the program stops, and the exit code that says so.
 
 use std::fmt::Display;
-use std::path::Path;
-use std::process::ExitCode;
 
 /// Exit codes. `--help` and the README list them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Code {
+    /// Some of several inputs failed.
+    Partial = 1,
     /// The command line does not make sense. clap uses the same code.
     Usage = 2,
     /// An input cannot be read, or is malformed.
@@ -15,6 +15,19 @@ pub enum Code {
     Refused = 4,
     /// An output cannot be written.
     Output = 5,
+}
+
+impl Code {
+    /// In a word, for tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Code::Partial => "in part",
+            Code::Usage => "usage",
+            Code::Input => "input",
+            Code::Refused => "refused",
+            Code::Output => "output",
+        }
+    }
 }
 
 /// The exit code after an interrupt, 128 + SIGINT.
@@ -46,13 +59,12 @@ impl Failure {
         Self { message: format!("{place}: {}", self.message), ..self }
     }
 
-    /// Tells the user on standard error; gives the code to exit with.
-    pub fn report(&self) -> ExitCode {
+    /// Tells the user on standard error.
+    pub fn tell(&self) {
         eprintln!("lineament: error: {}", self.message);
         if let Some(advice) = &self.advice {
             eprintln!("  {advice}");
         }
-        ExitCode::from(self.code as u8)
     }
 }
 
@@ -75,9 +87,4 @@ impl From<lineament_io::Error> for Failure {
     fn from(error: lineament_io::Error) -> Self {
         Self::new(if error.is_input() { Code::Input } else { Code::Output }, error)
     }
-}
-
-/// A path as messages show it: `-` is named.
-pub fn shown(path: &Path) -> String {
-    if path.as_os_str() == "-" { "standard input".into() } else { path.display().to_string() }
 }

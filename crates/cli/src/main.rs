@@ -1,6 +1,7 @@
 //! The `lineament` program: scan files in, feature lines out. `lineament --help` teaches it.
 
 mod args;
+mod batch;
 mod config;
 mod failure;
 mod interrupt;
@@ -10,6 +11,7 @@ mod progress;
 mod run;
 mod source;
 mod summary;
+mod work;
 
 use std::process::ExitCode;
 
@@ -19,6 +21,9 @@ fn main() -> ExitCode {
     let args = args::Args::parse();
     match interrupt::install().and_then(|()| run::run(args.command)) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(),
+        Err(failure) => {
+            failure.tell();
+            ExitCode::from(failure.code as u8)
+        }
     }
 }

@@ -1,96 +1,148 @@
 //! Where the points come from: a file, standard input, or a generated scan.
 
+use std::ffi::OsString;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use lineament::{Cloud, shapes};
-use lineament_io::{LasFrame, ReadOptions, read};
+use lineament_io::{ReadOptions, read};
 
 use crate::args::Source;
-use crate::failure::{Code, Failure, shown};
+use crate::failure::{Code, Failure};
+
+/// One input of the command line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Origin {
+    File(PathBuf),
+    Stdin,
+    Sample { name: String, seed: u64 },
+}
 
 /// A cloud with what outputs and messages say of it.
 pub struct Input {
     pub cloud: Cloud,
     /// File name without folders, `stdin`, or `sample NAME, seed N`.
     pub name: String,
-    /// Files read, for the check that no output names one.
-    pub files: Vec<PathBuf>,
     pub sha256: Option<String>,
-    /// The coordinate reference system, and how a LAS file stores its coordinates, for outputs that are to be like it.
-    pub crs: Option<String>,
-    pub las: Option<LasFrame>,
     /// The name of the format, and the number of bytes; nothing for a generated scan.
     pub format: Option<(String, u64)>,
-    /// What was passed over in the file, or is missing from it; a sentence each.
+    /// What is missing from a file that was salvaged.
+    pub missing: Option<String>,
+    /// What was passed over in the file; a sentence each.
     pub remarks: Vec<String>,
     /// Seconds that reading took.
     pub seconds: f64,
 }
 
-/// Reads or generates the points.
+/// The inputs of a command line, in order.
 ///
 /// # Errors
-/// Input if a file cannot be read, usage if there is no such sample.
-pub fn load(source: &Source, options: &ReadOptions) -> Result<Input, Failure> {
-    let start = Instant::now();
-    let input = match (&source.input, &source.sample) {
-        (Some(path), _) => from_file(path, options),
-        (None, Some(name)) => from_sample(name, source.seed),
-        (None, None) => Err(Failure::new(Code::Usage, "no input: give a file, `-`, or --sample NAME")),
-    }?;
-    Ok(Input { seconds: start.elapsed().as_secs_f64(), ..input })
+/// Usage if there is none, or standard input is named twice.
+pub fn origins(source: &Source) -> Result<Vec<Origin>, Failure> {
+    if let Some(name) = &source.sample {
+        return Ok(vec![Origin::Sample { name: name.clone(), seed: source.seed }]);
+    }
+    let of =
+        |path: &PathBuf| if path.as_os_str() == "-" { Origin::Stdin } else { Origin::File(path.clone()) };
+    let origins: Vec<Origin> = source.input.iter().map(of).collect();
+    if origins.iter().filter(|origin| **origin == Origin::Stdin).count() > 1 {
+        return Err(Failure::new(Code::Usage, "standard input (`-`) can be read only once"));
+    }
+    Ok(origins)
 }
 
-/// Files that the source names, before anything is read.
-pub fn files(source: &Source) -> Vec<PathBuf> {
-    source.input.iter().filter(|path| path.as_os_str() != "-").cloned().collect()
+/// The files among the inputs; no output may name one.
+pub fn files(origins: &[Origin]) -> Vec<PathBuf> {
+    let file = |origin: &Origin| if let Origin::File(path) = origin { Some(path.clone()) } else { None };
+    origins.iter().filter_map(file).collect()
 }
 
-/// What default outputs are named after: the input without its extension, or the sample. `None` for standard input.
-pub fn stem(source: &Source) -> Option<PathBuf> {
-    match (&source.input, &source.sample) {
-        (Some(path), _) if path.as_os_str() == "-" => None,
-        (Some(path), _) => Some(path.with_extension("")),
-        (None, sample) => sample.as_ref().map(PathBuf::from),
+impl Origin {
+    /// As messages show it.
+    pub fn shown(&self) -> String {
+        match self {
+            Origin::File(path) => path.display().to_string(),
+            Origin::Stdin => "stdin".into(),
+            Origin::Sample { name, seed } => format!("sample {name}, seed {seed}"),
+        }
+    }
+
+    /// What outputs are named after: the file name without its extension, `stdin`, or the sample's name.
+    pub fn stem(&self) -> OsString {
+        match self {
+            Origin::File(path) => path.file_stem().unwrap_or_default().into(),
+            Origin::Stdin => "stdin".into(),
+            Origin::Sample { name, .. } => name.into(),
+        }
+    }
+
+    /// The folder that outputs go to when none is named; `None` for standard input.
+    pub fn folder(&self) -> Option<PathBuf> {
+        match self {
+            Origin::File(path) => Some(path.parent().map(PathBuf::from).unwrap_or_default()),
+            Origin::Stdin => None,
+            Origin::Sample { .. } => Some(PathBuf::new()),
+        }
+    }
+
+    /// Reads or generates the points.
+    ///
+    /// # Errors
+    /// Input if a file cannot be read, usage if there is no such sample, refused if `--strict` says so.
+    pub fn load(&self, source: &Source, options: &ReadOptions) -> Result<Input, Failure> {
+        let start = Instant::now();
+        let options = &ReadOptions { salvage: source.salvage, ..options.clone() };
+        let input = match self {
+            Origin::File(path) => from_file(path, self.name(), options),
+            Origin::Stdin => from_file(Path::new("-"), self.name(), options),
+            Origin::Sample { name, seed } => from_sample(name, *seed, self.name()),
+        }?;
+        if source.strict {
+            self.refuse_non_finite(&input.cloud)?;
+        }
+        Ok(Input { seconds: start.elapsed().as_secs_f64(), ..input })
+    }
+
+    fn refuse_non_finite(&self, cloud: &Cloud) -> Result<(), Failure> {
+        let odd = |point: &&[f64; 3]| !point.iter().all(|x| x.is_finite());
+        let Some(first) = cloud.positions.iter().position(|p| odd(&p)) else { return Ok(()) };
+        let count = cloud.positions.iter().filter(odd).count();
+        let [x, y, z] = cloud.positions[first];
+        let message = format!("{}: point {first} is not finite ({x} {y} {z}), {count} in all", self.shown());
+        Err(Failure::new(Code::Refused, message)
+            .advise("without --strict such points are left out and counted"))
+    }
+
+    /// As outputs name it: without folders, so that they do not depend on where the program runs.
+    fn name(&self) -> String {
+        match self {
+            Origin::File(path) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+            _ => self.shown(),
+        }
     }
 }
 
-fn from_file(path: &Path, options: &ReadOptions) -> Result<Input, Failure> {
+fn from_file(path: &Path, name: String, options: &ReadOptions) -> Result<Input, Failure> {
     let scan = read(path, options)?;
-    let is_stdin = path.as_os_str() == "-";
-    let name = path.file_name().map_or_else(|| shown(path), |name| name.to_string_lossy().into_owned());
-    let missing = scan.missing.iter().map(|m| format!("the file ends early: {m}"));
     Ok(Input {
-        name: if is_stdin { "stdin".into() } else { name },
-        files: if is_stdin { Vec::new() } else { vec![path.into()] },
+        name,
         sha256: scan.sha256,
-        crs: scan.crs,
-        las: scan.las,
         format: Some((scan.format.to_string(), scan.bytes)),
-        remarks: missing.chain(scan.ignored).collect(),
+        missing: scan.missing.map(|m| format!("the file ends early: {m}")),
+        remarks: scan.ignored,
         cloud: scan.cloud,
         seconds: 0.0,
     })
 }
 
-fn from_sample(name: &str, seed: u64) -> Result<Input, Failure> {
-    let sample = shapes::sample(name).ok_or_else(|| {
-        Failure::new(Code::Usage, format!("--sample {name}: there is no such sample"))
+fn from_sample(sample: &str, seed: u64, name: String) -> Result<Input, Failure> {
+    let found = shapes::sample(sample).ok_or_else(|| {
+        Failure::new(Code::Usage, format!("--sample {sample}: there is no such sample"))
             .advise("`lineament extract --sample list` lists them")
     })?;
-    Ok(Input {
-        cloud: (sample.make)(seed).cloud,
-        name: format!("sample {name}, seed {seed}"),
-        files: Vec::new(),
-        sha256: None,
-        crs: None,
-        las: None,
-        format: None,
-        remarks: Vec::new(),
-        seconds: 0.0,
-    })
+    let cloud = (found.make)(seed).cloud;
+    Ok(Input { cloud, name, sha256: None, format: None, missing: None, remarks: Vec::new(), seconds: 0.0 })
 }
 
 /// Whether the source is the request to list the samples.

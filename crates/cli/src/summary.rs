@@ -10,6 +10,7 @@ use crate::source::Input;
 pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> {
     let report = &extraction.report;
     let mut lines = vec![points(input, report), resolution(report), counts(&extraction.network)];
+    lines.extend(input.missing.iter().map(|missing| format!("warning: {missing}")));
     lines.extend(report.notes.iter().map(|note| format!("note: {note}")));
     if verbose {
         lines.extend(input.remarks.iter().map(|remark| format!("input: {remark}")));
@@ -45,11 +46,26 @@ fn counts(network: &Network) -> String {
     parts.join(", ")
 }
 
+/// The cells of a table of many inputs.
+pub fn row(read: usize, network: Option<&Network>, seconds: f64) -> Vec<String> {
+    let of_kind = |network: &Network, kind| network.strips.iter().filter(|s| s.kind == kind).count();
+    let counts = match network {
+        Some(n) => [
+            of_kind(n, StripKind::Crease),
+            of_kind(n, StripKind::Border),
+            n.loops(),
+            n.count(NodeKind::Junction),
+            n.count(NodeKind::Corner),
+            n.count(NodeKind::End),
+        ]
+        .map(grouped),
+        None => [(); 6].map(|()| "-".into()),
+    };
+    [vec![grouped(read)], counts.to_vec(), vec![format!("{seconds:.2}")]].concat()
+}
+
 /// Where the time went; the total includes what is not listed.
-pub fn times(input: &Input, report: &Report, verbose: bool, writing: f64, total: f64) -> String {
-    if !verbose {
-        return format!("{total:.2} s");
-    }
+pub fn times(input: &Input, report: &Report, writing: f64, total: f64) -> String {
     let stages = report.stages.iter().map(|(stage, seconds)| (stage.name(), *seconds));
     let all = [("read", input.seconds)].into_iter().chain(stages).chain([("write", writing)]);
     let parts: Vec<String> = all.map(|(name, seconds)| format!("{name} {seconds:.2}")).collect();

@@ -54,7 +54,7 @@ fn quiet_says_nothing_and_verbose_says_what_was_chosen() {
     let sandbox = Sandbox::new();
     sandbox.write_points("cube.xyz", &cube());
     assert_eq!(sandbox.run(&["extract", "cube.xyz", "-q"]).expect(0).stderr, "");
-    sandbox.run(&["extract", "cube.xyz", "-v"]).expect(0).says(&["chosen: ", "detect "]);
+    sandbox.run(&["extract", "cube.xyz", "-v"]).expect(0).says(&["chosen: "]);
 }
 
 #[test]
@@ -192,4 +192,22 @@ fn decode(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
     let info = reader.next_frame(&mut pixels).unwrap();
     (info.width, info.height, pixels)
+}
+
+#[test]
+fn every_format_that_the_help_lists_is_written() {
+    let sandbox = Sandbox::new();
+    sandbox.write_points("cube.xyz", &cube());
+    for command in ["extract", "classify"] {
+        let help = sandbox.run(&[command, "--help"]).expect(0).text();
+        let listed = help.split("Formats by extension:\n").nth(1).unwrap().split("\n\n").next().unwrap();
+        let extensions: Vec<&str> =
+            listed.lines().filter_map(|line| line.trim().strip_prefix('.')?.split(' ').next()).collect();
+        assert!(extensions.len() >= 2, "{listed}");
+        for extension in extensions {
+            let output = format!("{command}.{extension}");
+            sandbox.run(&[command, "cube.xyz", "-o", &output]).expect(0);
+            assert!(!sandbox.read(&output).is_empty());
+        }
+    }
 }

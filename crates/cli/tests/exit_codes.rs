@@ -84,16 +84,15 @@ fn refused_parameters_are_4_and_name_key_and_value() {
 #[test]
 fn outputs_that_cannot_be_written_are_5_before_any_work_is_done() {
     let sandbox = with_cube();
-    std::fs::create_dir(sandbox.path("folder.obj")).unwrap();
     let cases: &[&[&str]] = &[
         &["extract", "cube.xyz", "-o", "absent/a.json"],
-        &["extract", "cube.xyz", "-o", "folder.obj"],
+        &["extract", "cube.xyz", "-o", "cube.xyz/"],
         &["classify", "cube.xyz", "-o", "absent/a.npy"],
         &["render", "cube.xyz", "-o", "absent/a.png"],
     ];
     for args in cases {
         sandbox.run(args).expect(5);
-        assert_eq!(sandbox.files(), ["cube.xyz", "folder.obj"], "{args:?}");
+        assert_eq!(sandbox.files(), ["cube.xyz"], "{args:?}");
     }
 }
 
@@ -148,4 +147,32 @@ fn help_and_readme_list_the_same_exit_codes() {
         let row = format!("| {code} | {} |", meaning.trim());
         assert!(readme.contains(&row), "{row}");
     }
+}
+
+#[test]
+fn strict_refuses_points_that_are_not_finite_and_names_the_first() {
+    let sandbox = with_cube();
+    let mut points = cube();
+    points.insert(3, [1.0, f64::NAN, 2.0]);
+    sandbox.write_points("odd.xyz", &points);
+    sandbox
+        .run(&["extract", "odd.xyz", "--strict"])
+        .expect(4)
+        .says(&["odd.xyz", "point 3", "NaN", "1 in all"]);
+    sandbox.run(&["extract", "cube.xyz", "--strict", "-o", "a.json"]).expect(0);
+    assert_eq!(sandbox.files(), ["a.json", "cube.xyz", "odd.xyz"]);
+}
+
+#[test]
+fn a_file_that_ends_early_is_3_and_salvage_reads_what_is_whole_of_it() {
+    let sandbox = Sandbox::new();
+    let header = "ply\nformat ascii 1.0\nelement vertex 500\nproperty double x\nproperty double y\nproperty double z\nend_header\n";
+    sandbox.write("short.ply", format!("{header}{}", table(&cube())));
+    sandbox.run(&["extract", "short.ply", "-o", "a.json"]).expect(3).says(&["short.ply", "--salvage"]);
+    assert_eq!(sandbox.files(), ["short.ply"]);
+    sandbox.run(&["extract", "short.ply", "-o", "a.json", "--salvage"]).expect(0).says(&[
+        "386",
+        "500",
+        "12 creases",
+    ]);
 }

@@ -1,37 +1,44 @@
 //! `lineament classify`.
 
+use std::path::PathBuf;
+use std::time::Instant;
+
 use lineament_io::{PointTable, ReadOptions, point_format, write_points};
 
 use crate::args::Classify;
+use crate::batch::Done;
 use crate::failure::Failure;
+use crate::source::{self, Origin};
 use crate::summary::plural;
-use crate::{config, outputs, progress, source, summary};
+use crate::work::{self, Work};
+use crate::{outputs, summary};
+
+/// What a folder gets.
+const SUFFIXES: [&str; 1] = ["classes.npy"];
 
 /// Reads, extracts, and writes a class and a score for every point.
 pub fn run(args: &Classify) -> Result<(), Failure> {
-    if source::is_list(&args.source) {
+    if source::is_list(&args.work.source) {
         return source::print_list();
     }
-    config::threads(&args.running)?;
-    let params = config::params(&args.tuning)?;
-    outputs::check(&args.output, &source::files(&args.source), point_format)?;
-    let input = source::load(&args.source, &ReadOptions::default())?;
-    let found = progress::observed(&input.cloud, &params, args.running.quiet)
-        .map_err(|e| Failure::from(e).at(&input.name))?;
+    let work = work::prepare(&args.work, &args.output, &SUFFIXES, point_format)?;
+    work.each(|origin, outputs| one(&work, origin, outputs))
+}
+
+fn one(work: &Work, origin: &Origin, outputs: &[PathBuf]) -> Result<Done, Failure> {
+    let start = Instant::now();
+    let input = work.load(origin, &ReadOptions::default())?;
+    let found = work.extract(origin, &input)?;
     let classes: Vec<u8> = found.classes().into_iter().map(|class| class as u8).collect();
-    let scores = found.scores();
-    let table =
-        PointTable { cloud: &input.cloud, classes: &classes, scores: &scores, las: input.las.as_ref() };
-    for path in &args.output {
-        outputs::write(path, || write_points(path, &input.files, &table))?;
+    let table = PointTable { cloud: &input.cloud, classes: &classes, scores: &found.scores() };
+    for path in outputs {
+        outputs::write(path, || write_points(path, &work.inputs, &table))?;
     }
-    if !args.running.quiet {
-        let mut lines = summary::of(&input, &found, args.running.verbose);
-        lines.push(counts(&classes));
-        lines.push(summary::written(&args.output));
-        eprintln!("{}", lines.join("\n"));
-    }
-    Ok(())
+    let mut lines = summary::of(&input, &found, work.args.running.verbose);
+    lines.push(counts(&classes));
+    lines.push(summary::written(outputs));
+    let seconds = start.elapsed().as_secs_f64();
+    Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), seconds) })
 }
 
 fn counts(classes: &[u8]) -> String {

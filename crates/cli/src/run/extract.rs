@@ -4,47 +4,43 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use lineament::{Extraction, Params};
-use lineament_io::{NetworkContext, Parameter, ReadOptions, network_format, write_network};
+use lineament_io::{NetworkContext, NetworkFormat, Parameter, ReadOptions, network_format, write_network};
 
 use crate::args::Extract;
-use crate::config::{self, text};
+use crate::batch::Done;
+use crate::config::text;
 use crate::failure::Failure;
-use crate::source::{self, Input};
-use crate::{outputs, progress, summary};
+use crate::source::{self, Input, Origin};
+use crate::work::{self, Work};
+use crate::{outputs, summary};
+
+/// What a folder, or the place beside an input, gets.
+const SUFFIXES: [&str; 2] = ["lines.json", "lines.obj"];
 
 /// Reads, extracts, writes, and says what came of it.
 pub fn run(args: &Extract) -> Result<(), Failure> {
-    if source::is_list(&args.source) {
+    if source::is_list(&args.work.source) {
         return source::print_list();
     }
-    let start = Instant::now();
-    config::threads(&args.running)?;
-    let params = config::params(&args.tuning)?;
-    let outputs = checked_outputs(args)?;
-    let input =
-        source::load(&args.source, &ReadOptions { attributes: false, hash: true, ..Default::default() })?;
-    let found = progress::observed(&input.cloud, &params, args.running.quiet)
-        .map_err(|e| Failure::from(e).at(&input.name))?;
-    let context = context(&input, &params, &found);
-    let writing = Instant::now();
-    for path in &outputs {
-        outputs::write(path, || write_network(path, &input.files, &found.network, &context))?;
-    }
-    if !args.running.quiet {
-        let verbose = args.running.verbose;
-        let mut lines = summary::of(&input, &found, verbose);
-        let seconds = [writing, start].map(|t| t.elapsed().as_secs_f64());
-        lines.push(summary::times(&input, &found.report, verbose, seconds[0], seconds[1]));
-        lines.push(summary::written(&outputs));
-        eprintln!("{}", lines.join("\n"));
-    }
-    Ok(())
+    let work = work::prepare(&args.work, &args.output, &SUFFIXES, network_format)?;
+    work.each(|origin, outputs| one(&work, origin, outputs))
 }
 
-fn checked_outputs(args: &Extract) -> Result<Vec<PathBuf>, Failure> {
-    let outputs = outputs::or_default(&args.output, source::stem(&args.source).as_deref());
-    outputs::check(&outputs, &source::files(&args.source), network_format)?;
-    Ok(outputs)
+fn one(work: &Work, origin: &Origin, outputs: &[PathBuf]) -> Result<Done, Failure> {
+    let start = Instant::now();
+    let hash = outputs.iter().any(|path| matches!(network_format(path), Ok(NetworkFormat::Json)));
+    let input = work.load(origin, &ReadOptions { attributes: false, hash, ..Default::default() })?;
+    let found = work.extract(origin, &input)?;
+    let context = context(&input, &work.params, &found);
+    let writing = Instant::now();
+    for path in outputs {
+        outputs::write(path, || write_network(path, &work.inputs, &found.network, &context))?;
+    }
+    let [wrote, total] = [writing, start].map(|t| t.elapsed().as_secs_f64());
+    let mut lines = summary::of(&input, &found, work.args.running.verbose);
+    lines.push(summary::times(&input, &found.report, wrote, total));
+    lines.push(summary::written(outputs));
+    Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), total) })
 }
 
 /// What an output says of where its lines come from.

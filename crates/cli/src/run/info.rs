@@ -8,9 +8,10 @@ use lineament::resolution::Resolution;
 use lineament::{Cloud, Column};
 use lineament_io::ReadOptions;
 
-use crate::args::Info;
+use crate::args::{Info, Source};
+use crate::batch;
 use crate::failure::Failure;
-use crate::source::{self, Input, print};
+use crate::source::{self, Input, Origin, print};
 use crate::summary::{figure, grouped};
 
 /// Neighbours that spacing and noise are estimated from.
@@ -18,17 +19,32 @@ const NEIGHBORS: usize = 12;
 /// Fewer points have a spacing, but no noise that means anything.
 const LEAST_FOR_NOISE: usize = 20;
 
-/// Prints what a file holds, on standard output.
+/// Prints what each file holds, on standard output.
 pub fn run(args: &Info) -> Result<(), Failure> {
     if source::is_list(&args.source) {
         return source::print_list();
     }
-    let options = ReadOptions { salvage: args.salvage, ..Default::default() };
-    let input = source::load(&args.source, &options)?;
+    let origins = source::origins(&args.source)?;
+    let mut failed = 0;
+    for (i, origin) in origins.iter().enumerate() {
+        match described(origin, &args.source) {
+            Ok(text) => print(&format!("{}{text}", if i > 0 { "\n" } else { "" }))?,
+            Err(failure) if origins.len() == 1 => return Err(failure),
+            Err(failure) => {
+                failed += 1;
+                failure.tell();
+            }
+        }
+    }
+    batch::partial(failed, origins.len())
+}
+
+fn described(origin: &Origin, source: &Source) -> Result<String, Failure> {
+    let input = origin.load(source, &ReadOptions::default())?;
     let mut text = String::new();
     file_lines(&mut text, &input);
-    cloud_lines(&mut text, &input.cloud)?;
-    print(&text)
+    cloud_lines(&mut text, &input.cloud).map_err(|e| e.at(origin.shown()))?;
+    Ok(text)
 }
 
 fn line(text: &mut String, label: &str, value: impl std::fmt::Display) {
@@ -45,6 +61,7 @@ fn file_lines(text: &mut String, input: &Input) {
     for attribute in &input.cloud.attributes {
         line(text, "attribute", format!("{} ({})", attribute.name, type_name(&attribute.values)));
     }
+    input.missing.iter().for_each(|missing| line(text, "warning", missing));
     input.remarks.iter().for_each(|remark| line(text, "note", remark));
 }
 

@@ -1,45 +1,65 @@
 //! `lineament render`.
 
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use lineament::Network;
 use lineament::apply::render::{Picture, Scene, Settings, View, render, surfels};
 use lineament_io as io;
 
 use crate::args::Render;
+use crate::batch::Done;
 use crate::failure::{Code, Failure};
-use crate::source::{self, Input};
-use crate::{config, network_file, outputs, progress, summary};
+use crate::source::{self, Input, Origin};
+use crate::work::{self, Work};
+use crate::{network_file, outputs, summary};
+
+/// What a folder gets.
+const SUFFIXES: [&str; 1] = ["png"];
 
 /// Reads, extracts if asked to, draws, and writes the picture.
 pub fn run(args: &Render) -> Result<(), Failure> {
-    if source::is_list(&args.source) {
+    if source::is_list(&args.work.source) {
         return source::print_list();
     }
-    config::threads(&args.running)?;
     let settings = settings(args)?;
-    let mut inputs = source::files(&args.source);
-    outputs::check(std::slice::from_ref(&args.output), &inputs, png_only)?;
-    let input = source::load(&args.source, &io::ReadOptions { attributes: false, ..Default::default() })?;
-    let mut lines = Vec::new();
-    let network = match args.network.to_str() {
+    let work = work::prepare(&args.work, std::slice::from_ref(&args.output), &SUFFIXES, png_only)?;
+    work.each(|origin, outputs| one(&work, origin, outputs, &args.network, &settings))
+}
+
+fn one(
+    work: &Work,
+    origin: &Origin,
+    outputs: &[PathBuf],
+    network: &Path,
+    settings: &Settings,
+) -> Result<Done, Failure> {
+    let start = Instant::now();
+    let input = work.load(origin, &io::ReadOptions { attributes: false, ..Default::default() })?;
+    let mut inputs = work.inputs.clone();
+    let mut said = Vec::new();
+    let network = match network.to_str() {
         Some("none") => None,
-        Some("computed") => Some(computed(args, &input, &mut lines)?),
+        Some("computed") => Some(computed(work, origin, &input, &mut said)?),
         _ => {
-            inputs.push(args.network.clone());
-            Some(network_file::read(&args.network)?)
+            inputs.push(outputs::filled(network, origin));
+            Some(network_file::read(&outputs::filled(network, origin))?)
         }
     };
-    let (surfels, spacing) = surfels(&input.cloud).map_err(|e| Failure::from(e).at(&input.name))?;
-    let scene = Scene { surfels: &surfels, network: network.as_ref(), spacing };
-    let picture = render(&scene, &settings)?;
-    write(&args.output, &inputs, &picture)?;
-    if !args.running.quiet {
-        lines.push(summary::written(std::slice::from_ref(&args.output)));
-        eprintln!("{}", lines.join("\n"));
-    }
-    Ok(())
+    let (surfels, spacing) = surfels(&input.cloud).map_err(|e| Failure::from(e).at(origin.shown()))?;
+    let picture = render(&Scene { surfels: &surfels, network: network.as_ref(), spacing }, settings)?;
+    outputs.iter().try_for_each(|path| write(path, &inputs, &picture))?;
+    said.push(summary::written(outputs));
+    let seconds = start.elapsed().as_secs_f64();
+    Ok(Done { lines: said, row: summary::row(input.cloud.len(), network.as_ref(), seconds) })
+}
+
+fn computed(work: &Work, origin: &Origin, input: &Input, said: &mut Vec<String>) -> Result<Network, Failure> {
+    let found =
+        work.extract(origin, input).map_err(|e| e.advise("`--network none` draws the points alone"))?;
+    *said = summary::of(input, &found, work.args.running.verbose);
+    Ok(found.network)
 }
 
 fn settings(args: &Render) -> Result<Settings, Failure> {
@@ -56,14 +76,6 @@ fn settings(args: &Render) -> Result<Settings, Failure> {
     Ok(settings)
 }
 
-fn computed(args: &Render, input: &Input, lines: &mut Vec<String>) -> Result<Network, Failure> {
-    let params = config::params(&args.tuning)?;
-    let found = progress::observed(&input.cloud, &params, args.running.quiet)
-        .map_err(|e| Failure::from(e).at(&input.name).advise("`--network none` draws the points alone"))?;
-    *lines = summary::of(input, &found, args.running.verbose);
-    Ok(found.network)
-}
-
 /// Accepts `-` and names that end in `.png`.
 fn png_only(path: &Path) -> Result<(), Failure> {
     let is_png = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("png"));
@@ -74,7 +86,7 @@ fn png_only(path: &Path) -> Result<(), Failure> {
     Err(Failure::new(Code::Usage, message))
 }
 
-fn write(path: &Path, inputs: &[std::path::PathBuf], picture: &Picture) -> Result<(), Failure> {
+fn write(path: &Path, inputs: &[PathBuf], picture: &Picture) -> Result<(), Failure> {
     let failed = |e: png::EncodingError| Failure::new(Code::Output, format!("{}: {e}", path.display()));
     if path.as_os_str() == "-" {
         return encode(&mut std::io::stdout().lock(), picture).map_err(failed);
@@ -89,7 +101,7 @@ fn write(path: &Path, inputs: &[std::path::PathBuf], picture: &Picture) -> Resul
 fn encode(out: &mut dyn Write, picture: &Picture) -> Result<(), png::EncodingError> {
     let mut encoder = png::Encoder::new(&mut *out, picture.width as u32, picture.height as u32);
     encoder.set_color(png::ColorType::Rgb);
-    encoder.set_compression(png::Compression::Fast);
+    encoder.set_compression(png::Compression::Balanced);
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&picture.rgb)?;
     writer.finish()?;

@@ -1,0 +1,98 @@
+//! One input or many: what is said of each, and of all at the end.
+
+use crate::failure::{Code, Failure};
+use crate::source::Origin;
+
+/// What came of one input.
+pub struct Done {
+    /// The summary.
+    pub lines: Vec<String>,
+    /// A row of the table of many inputs, in the order of [`HEADER`] after the name.
+    pub row: Vec<String>,
+}
+
+/// Heads of the table's columns.
+const HEADER: [&str; 9] =
+    ["input", "points", "creases", "borders", "loops", "junctions", "corners", "ends", "seconds"];
+
+/// Treats each input by `treat`, which gets its number. One input gets its summary, and its failure is the program's.
+/// Of several, a failed one leaves the others alone; each failure is told when it happens, and a table of all closes.
+///
+/// # Errors
+/// The failure of a single input; partial if one or more of several failed.
+pub fn run(
+    origins: &[Origin],
+    quiet: bool,
+    verbose: bool,
+    mut treat: impl FnMut(usize, &Origin) -> Result<Done, Failure>,
+) -> Result<(), Failure> {
+    let several = origins.len() > 1;
+    let mut table = vec![HEADER.map(String::from).to_vec()];
+    let mut failed = 0;
+    for (i, origin) in origins.iter().enumerate() {
+        match treat(i, origin) {
+            Ok(done) => {
+                if !quiet && (verbose || !several) {
+                    eprintln!("{}", done.lines.join("\n"));
+                }
+                table.push([vec![origin.shown()], done.row].concat());
+            }
+            Err(failure) if !several => return Err(failure),
+            Err(failure) => {
+                failed += 1;
+                failure.tell();
+                table.push(vec![origin.shown(), format!("failed ({})", failure.code.name())]);
+            }
+        }
+    }
+    if several && !quiet {
+        eprint!("{}", aligned(&table));
+    }
+    partial(failed, origins.len())
+}
+
+/// Success, unless some inputs failed.
+pub fn partial(failed: usize, all: usize) -> Result<(), Failure> {
+    match failed {
+        0 => Ok(()),
+        _ => Err(Failure::new(Code::Partial, format!("{failed} of {all} inputs failed"))),
+    }
+}
+
+/// Rows as text, columns of numbers aligned to the right. A last cell that stands alone may run over.
+fn aligned(table: &[Vec<String>]) -> String {
+    let width = |column: usize| {
+        let whole = table.iter().filter(|row| row.len() == HEADER.len());
+        whole.filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let first =
+        table.iter().filter_map(|row| row.first()).map(|cell| cell.chars().count()).max().unwrap_or(0);
+    let mut text = String::new();
+    for row in table {
+        for (column, cell) in row.iter().enumerate() {
+            text += &match column {
+                0 => format!("{cell:first$}"),
+                _ => format!("  {cell:>width$}", width = width(column)),
+            };
+        }
+        text.push('\n');
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_aligned_and_failures_may_run_over() {
+        let row = |name: &str, points: &str| {
+            [vec![name.to_string(), points.into()], vec!["1".to_string(); 7]].concat()
+        };
+        let table = [row("a", "12"), row("long", "7"), vec!["b".into(), "failed (unreadable)".into()]];
+        assert_eq!(
+            aligned(&table),
+            "a     12  1  1  1  1  1  1  1\nlong   7  1  1  1  1  1  1  1\nb     failed (unreadable)\n"
+        );
+    }
+}

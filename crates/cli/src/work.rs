@@ -1,0 +1,63 @@
+//! What the commands that extract do alike: settle everything before the work begins, then treat one input after the
+//! other.
+
+use std::path::{Path, PathBuf};
+
+use lineament::{Extraction, Params};
+use lineament_io::ReadOptions;
+
+use crate::args;
+use crate::batch::{self, Done};
+use crate::config;
+use crate::failure::Failure;
+use crate::source::{self, Input, Origin};
+use crate::{outputs, progress};
+
+/// A command line that has been checked as far as it can be without reading an input.
+pub struct Work<'a> {
+    pub args: &'a args::Work,
+    pub params: Params,
+    origins: Vec<Origin>,
+    /// All files that are read; no output may name one.
+    pub inputs: Vec<PathBuf>,
+    plan: Vec<Vec<PathBuf>>,
+}
+
+/// Settles threads, parameters, inputs and outputs. The outputs asked for are `asked`, a folder gets `suffixes`, and
+/// `known` refuses names that no format has.
+pub fn prepare<'a, F, E: Into<Failure>>(
+    args: &'a args::Work,
+    asked: &[PathBuf],
+    suffixes: &[&str],
+    known: impl Fn(&Path) -> Result<F, E>,
+) -> Result<Work<'a>, Failure> {
+    config::threads(&args.running)?;
+    let params = config::params(&args.tuning)?;
+    let origins = source::origins(&args.source)?;
+    let inputs = source::files(&origins);
+    let plan = outputs::plan(&origins, asked, suffixes)?;
+    outputs::check(&plan, &inputs, known)?;
+    Ok(Work { args, params, origins, inputs, plan })
+}
+
+impl Work<'_> {
+    /// Treats each input by `treat`, which gets its outputs.
+    pub fn each(
+        &self,
+        mut treat: impl FnMut(&Origin, &[PathBuf]) -> Result<Done, Failure>,
+    ) -> Result<(), Failure> {
+        let running = &self.args.running;
+        batch::run(&self.origins, running.quiet, running.verbose, |i, origin| treat(origin, &self.plan[i]))
+    }
+
+    /// Reads an input.
+    pub fn load(&self, origin: &Origin, options: &ReadOptions) -> Result<Input, Failure> {
+        origin.load(&self.args.source, options)
+    }
+
+    /// Extracts the lines of an input.
+    pub fn extract(&self, origin: &Origin, input: &Input) -> Result<Extraction, Failure> {
+        progress::observed(&input.cloud, &self.params, self.args.running.quiet)
+            .map_err(|e| Failure::from(e).at(origin.shown()))
+    }
+}
