@@ -8,6 +8,7 @@ mod network_file;
 mod outputs;
 mod progress;
 mod run;
+mod section_args;
 mod source;
 mod summary;
 

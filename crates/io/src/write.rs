@@ -8,6 +8,11 @@ mod network_ply;
 mod npy;
 mod points_ply;
 mod polyline;
+mod section;
+
+pub use section::{
+    SectionContext, SectionFormat, section_format, write_sections, write_sections_to, write_slice_picture,
+};
 
 use crate::error::Error;
 use crate::output::Output;
