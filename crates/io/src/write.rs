@@ -17,6 +17,11 @@ mod points_text;
 mod polyline;
 mod svg;
 mod vtp;
+mod section;
+
+pub use section::{
+    SectionContext, SectionFormat, section_format, write_sections, write_sections_to, write_slice_picture,
+};
 
 use crate::error::Error;
 use crate::output::Output;
