@@ -13,11 +13,20 @@ use std::f64::consts::{PI, TAU};
 
 /// Chance that a point within the surface shows its open angle by accident.
 const CHANCE: f64 = 1e-3;
-/// Least distance of the neighbourhood's centre in the tangent plane, in mean distances of its points: half a disc has its
-/// centre at two thirds, a whole one at its own point. What lies below cannot be a border, and most points do.
-const LEAST_LEAN: f64 = 0.2;
+/// Least distance of the direct neighbours' centre from the point, in their mean distance: half a disc has its centre at two
+/// thirds, a whole one at its own point, give or take chance. What lies below is no border, and most points do.
+const LEAST_LEAN: f64 = 0.3;
 /// Openings wider than this leave less than half of a plane: the border turns.
 const TURN: f64 = 1.2 * PI;
+
+/// Whether the direct neighbours lie to one side: a cheap test that spares most points the open angle.
+pub fn may_be_border(points: &[[f64; 3]], i: usize, near: &[u32]) -> bool {
+    let (sum, distances) = near.iter().fold(([0.0; 3], 0.0), |(sum, total), &j| {
+        let d = sub(points[j as usize], points[i]);
+        (add_scaled(sum, d, 1.0), total + norm(d))
+    });
+    norm(sum) >= LEAST_LEAN * distances
+}
 
 /// The border penalties of point `i` with neighbourhood `wide`; `None` if it cannot lie on a border.
 pub fn border(
@@ -27,13 +36,6 @@ pub fn border(
     scale: Resolution,
     angles: &mut Vec<f64>,
 ) -> Option<Row> {
-    let (sum, distances) = wide.iter().fold(([0.0; 3], 0.0), |(sum, total), &j| {
-        let d = sub(points[j as usize], points[i]);
-        (add_scaled(sum, d, 1.0), total + norm(d))
-    });
-    if norm(sum) < LEAST_LEAN * distances {
-        return None;
-    }
     let normal = ellipsoid(points, i, wide).axes.vectors[0];
     let opening = open_angle(points, i, wide, normal, angles);
     if opening.angle < chance_opening(angles.len(), CHANCE).max(0.4 * PI) {

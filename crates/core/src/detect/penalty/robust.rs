@@ -14,11 +14,11 @@
 //!   acute crease, where one face hides the other.
 
 use super::align::align;
-use super::border::border;
+use super::border::{border, may_be_border};
 use super::sharpness::sharpness;
 use super::{Derived, density};
 use crate::detect::fold::{CrossSection, Fold};
-use crate::detect::normals::{Normals, normals};
+use crate::detect::normals::{Normals, inner, normals};
 use crate::detect::tensor::add_product;
 use crate::math::eigen3::{Eigen3, eigen3};
 use crate::math::vec3::{add, add_scaled, dot, norm, scale, sub};
@@ -27,8 +27,13 @@ use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::params::PenaltyParams;
 use crate::resolution::Resolution;
 use rayon::prelude::*;
-use std::f64::consts::PI;
 
+/// Points that a thread takes at a time.
+const BLOCK: usize = 1024;
+/// Crease candidates have a smaller curvature penalty than this.
+const MOST_PENALTY: f64 = 0.75;
+/// Sine of half the fold from which on one face hides the other, and an opening is none: 108 degrees.
+const ACUTE: f64 = 0.809;
 /// Evidence at which a single point is known to lie on a round, whatever the rest of its chain says.
 const CLEARLY_SMOOTH: f32 = -4.0;
 
@@ -43,12 +48,21 @@ struct Context<'a> {
     least_fold: f64,
 }
 
-/// The penalties of one point.
-struct Point {
-    density: f32,
-    fold: f32,
-    crease: Option<Row>,
-    border: Option<Row>,
+/// What a block of points yields: a row each, and the candidates among them.
+#[derive(Default)]
+struct Block {
+    density: Vec<f32>,
+    score: Vec<f32>,
+    crease: Vec<(u32, Row)>,
+    border: Vec<(u32, Row)>,
+}
+
+/// Buffers that serve one point after the other.
+#[derive(Default)]
+struct Buffers {
+    scratch: Scratch,
+    angles: Vec<f64>,
+    section: CrossSection,
 }
 
 /// Robust penalties of every point.
@@ -67,11 +81,14 @@ pub fn penalties(
         hops: derived.hops,
         least_fold: (0.5 * params.fold_deg.to_radians()).sin(),
     };
-    let rows: Vec<Point> = (0..points.len())
+    let blocks: Vec<Block> = (0..points.len().div_ceil(BLOCK))
         .into_par_iter()
-        .with_min_len(1024)
-        .map_init(Default::default, |(scratch, angles, section), i| {
-            context.point(i, scratch, angles, section)
+        .map_init(Buffers::default, |buffers, b| {
+            let mut block = Block::default();
+            for i in b * BLOCK..((b + 1) * BLOCK).min(points.len()) {
+                context.point(i, buffers, &mut block);
+            }
+            block
         })
         .collect();
     let mut measure = Measure {
@@ -79,15 +96,11 @@ pub fn penalties(
         border: Penalties { share: params.gamma, direction: Direction::Across, ..Default::default() },
         ..Default::default()
     };
-    for (i, row) in rows.iter().enumerate() {
-        measure.density.push(row.density);
-        measure.score.push(row.fold);
-        if let Some(crease) = row.crease {
-            measure.crease.push(i as u32, crease);
-        }
-        if let Some(border) = row.border {
-            measure.border.push(i as u32, border);
-        }
+    for block in blocks {
+        measure.density.extend(block.density);
+        measure.score.extend(block.score);
+        block.crease.into_iter().for_each(|(i, row)| measure.crease.push(i, row));
+        block.border.into_iter().for_each(|(i, row)| measure.border.push(i, row));
     }
     // Feet scatter with the noise, and a band of them is as wide; the row of points behind a border is ragged without any.
     let (unit, blur) = (resolution.unit(), (4.0 * resolution.noise).min(2.0 * resolution.unit()));
@@ -98,31 +111,28 @@ pub fn penalties(
 }
 
 impl Context<'_> {
-    fn point(
-        &self,
-        i: usize,
-        scratch: &mut Scratch,
-        angles: &mut Vec<f64>,
-        section: &mut CrossSection,
-    ) -> Point {
-        let near = self.graph.hops(i, self.hops.max(2) - 1, scratch);
+    fn point(&self, i: usize, buffers: &mut Buffers, block: &mut Block) {
+        let Buffers { scratch, angles, section } = buffers;
+        let near = inner(self.graph, i, self.hops, scratch);
         let (tensor, pull) = self.normal_tensor(i, near);
         let fold = tensor.values[1].max(0.0).sqrt();
         let penalty = 1.0 - fold / (2.0 * self.least_fold);
+        let folded = penalty < MOST_PENALTY;
+        let open = fold < ACUTE && may_be_border(self.points, i, self.graph.of(i));
+        block.density.push(density(self.points, self.graph, i) as f32);
+        block.score.push((fold / (2.0 * self.least_fold)).min(1.0) as f32);
+        if !folded && !open {
+            return;
+        }
         let wide = self.graph.hops(i, self.hops.max(2), scratch);
-        let crease = (penalty < 0.75)
-            .then(|| self.crease(i, &tensor, pull, penalty.max(0.0), wide, section))
-            .filter(|row| row.evidence > CLEARLY_SMOOTH);
-        let border = if fold < (0.3 * PI).sin() {
-            border(self.points, i, wide, self.resolution, angles)
-        } else {
-            None
-        };
-        Point {
-            density: density(self.points, self.graph, i) as f32,
-            fold: (fold / (2.0 * self.least_fold)).min(1.0) as f32,
-            crease,
-            border,
+        if folded {
+            let row = self.crease(i, &tensor, pull, penalty.max(0.0), wide, section);
+            if row.evidence > CLEARLY_SMOOTH {
+                block.crease.push((i as u32, row));
+            }
+        }
+        if open && let Some(row) = border(self.points, i, wide, self.resolution, angles) {
+            block.border.push((i as u32, row));
         }
     }
 
