@@ -73,6 +73,10 @@ pub enum Command {
     Classify(Classify),
     /// Draw a scan and its lines as a PNG picture
     Render(Render),
+    /// Cut a scan by planes and write the curves in which they meet its surface
+    Section(crate::section_args::Section),
+    /// Cut a scan by planes and write a picture a slice
+    Slices(crate::section_args::Slices),
     /// Tell what a scan file holds
     Info(Info),
     /// Print every parameter as a commented TOML file

@@ -9,6 +9,7 @@ mod network_file;
 mod outputs;
 mod progress;
 mod run;
+mod section_args;
 mod source;
 mod summary;
 mod work;

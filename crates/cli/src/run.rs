@@ -7,6 +7,7 @@ mod info;
 mod man;
 mod params;
 mod render;
+mod section;
 
 use crate::args::Command;
 use crate::failure::Failure;
@@ -17,6 +18,8 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Extract(args) => extract::run(&args),
         Command::Classify(args) => classify::run(&args),
         Command::Render(args) => render::run(&args),
+        Command::Section(args) => section::run(&args),
+        Command::Slices(args) => section::slices(&args),
         Command::Info(args) => info::run(&args),
         Command::Params(tuning) => params::run(&tuning),
         Command::Completions { shell } => completions::run(shell),

@@ -22,6 +22,7 @@ mod result;
 mod slice;
 mod smooth;
 mod spline;
+mod stack;
 mod surface;
 mod tidy;
 mod tree;
@@ -38,6 +39,7 @@ use crate::neighbors::Index;
 pub use params::{Axis, Outline, Planes, SectionParams, Side};
 pub use result::{Contour, CurvePiece, CurveShape, Missing, Section, Sections};
 pub use slice::SliceFrame;
+pub use stack::{Feature, Mirror, Repeat, Run, Stack, stack};
 
 use carry::{Reach, Sample};
 use slice::Slabs;

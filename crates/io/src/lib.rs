@@ -30,3 +30,6 @@ pub use write::{
     NetworkContext, NetworkFormat, Parameter, PointFormat, PointTable, network_format, point_format,
     write_network, write_network_to, write_points, write_points_to,
 };
+pub use write::{
+    SectionContext, SectionFormat, section_format, write_sections, write_sections_to, write_slice_picture,
+};

@@ -73,7 +73,7 @@ fn curve(out: &mut dyn Write, curve: &BSpline) -> io::Result<()> {
 }
 
 /// Items with commas between them.
-fn list<T>(
+pub(super) fn list<T>(
     out: &mut dyn Write,
     items: &[T],
     mut item: impl FnMut(&mut dyn Write, usize, &T) -> io::Result<()>,
@@ -88,7 +88,7 @@ fn list<T>(
 }
 
 /// Items on a line each.
-fn lines<T>(
+pub(super) fn lines<T>(
     out: &mut dyn Write,
     items: &[T],
     item: fn(&mut dyn Write, usize, &T) -> io::Result<()>,

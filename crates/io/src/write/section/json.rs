@@ -1,0 +1,126 @@
+//! Sections in the schema `lineament-section/1`, which `docs/schema-section-1.md` describes. Its `strips` have the
+//! form of a network's: points, closed; with the index of their plane.
+
+use super::SectionContext;
+use crate::write::json::{Number, Point, Text, lines, list};
+use lineament::curve::BSpline;
+use lineament::section::{Contour, CurvePiece, CurveShape, Feature, Mirror, Repeat, Run, Section, Sections};
+use std::io::{self, Write};
+
+/// The name of the schema, as it stands in every file.
+const SCHEMA: &str = "lineament-section/1";
+
+/// Writes sections: a line a plane, a line a contour, a line a feature.
+pub(super) fn write(out: &mut dyn Write, sections: &Sections, context: &SectionContext) -> io::Result<()> {
+    let SectionContext { program_version, input_name, input_sha256, input_points, stack } = context;
+    writeln!(out, "{{\n\"schema\": {},", Text(SCHEMA))?;
+    writeln!(out, "\"program\": {{\"name\": \"lineament\", \"version\": {}}},", Text(program_version))?;
+    write!(out, "\"input\": {{\"name\": {}, \"sha256\": ", Text(input_name))?;
+    match input_sha256 {
+        Some(hash) => write!(out, "{}", Text(hash))?,
+        None => write!(out, "null")?,
+    }
+    writeln!(out, ", \"points\": {input_points}}},\n\"frame\": \"input\",\n\"unit\": \"input\",")?;
+    let [u, v, w] = &sections.frame.axes;
+    writeln!(out, "\"axes\": [{}, {}, {}],", Point(u), Point(v), Point(w))?;
+    writeln!(out, "\"spacing\": {},", Number(sections.spacing))?;
+    writeln!(out, "\"noise\": {},", Number(sections.noise * sections.spacing))?;
+    write!(out, "\"planes\": [")?;
+    lines(out, &sections.sections, plane)?;
+    let all: Vec<(usize, usize, &Contour)> = sections
+        .sections
+        .iter()
+        .flat_map(|s| s.contours.iter().enumerate().map(|(i, c)| (s.plane, i, c)))
+        .collect();
+    write!(out, "],\n\"strips\": [")?;
+    lines(out, &all, strip)?;
+    write!(out, "],\n\"features\": [")?;
+    lines(out, &stack.runs, run)?;
+    write!(out, "],\n\"mirrors\": [")?;
+    lines(out, &stack.mirrors, mirror)?;
+    write!(out, "],\n\"repeats\": [")?;
+    lines(out, &stack.repeats, repeat)?;
+    writeln!(out, "]\n}}")
+}
+
+fn plane(out: &mut dyn Write, _: usize, section: &Section) -> io::Result<()> {
+    let Section { plane, height, points, contours, missing } = section;
+    write!(out, "{{\"plane\": {plane}, \"height\": {}, \"points\": {points}, ", Number(*height))?;
+    write!(out, "\"contours\": {}, \"missing\": ", contours.len())?;
+    match missing {
+        Some(missing) => write!(out, "{}}}", Text(&missing.reason())),
+        None => write!(out, "null}}"),
+    }
+}
+
+fn strip(out: &mut dyn Write, id: usize, (plane, index, c): &(usize, usize, &Contour)) -> io::Result<()> {
+    write!(out, "{{\"id\": {id}, \"plane\": {plane}, \"index\": {index}, \"closed\": {}, ", c.closed)?;
+    match c.parent {
+        Some(parent) => write!(out, "\"parent\": {parent}, ")?,
+        None => write!(out, "\"parent\": null, ")?,
+    }
+    write!(out, "\"depth\": {}, \"area\": {}, ", c.depth, Number(c.area))?;
+    write!(out, "\"length\": {}, \"centroid\": {}, ", Number(c.length), Point(&c.centroid))?;
+    write!(out, "\"points\": [")?;
+    list(out, &c.points, |out, _, point| write!(out, "{}", Point(point)))?;
+    write!(out, "], \"corners\": [")?;
+    list(out, &c.corners, |out, _, corner| write!(out, "{corner}"))?;
+    write!(out, "], \"pieces\": [")?;
+    list(out, &c.pieces, |out, _, p| piece(out, p))?;
+    write!(out, "]}}")
+}
+
+fn piece(out: &mut dyn Write, piece: &CurvePiece) -> io::Result<()> {
+    write!(out, "{{\"type\": \"{}\", \"from\": {}, ", piece.shape.name(), Point(&piece.from))?;
+    write!(out, "\"to\": {}, \"worst\": {}", Point(&piece.to), Number(piece.worst))?;
+    match &piece.shape {
+        CurveShape::Line => {}
+        CurveShape::Circle { centre, radius } => {
+            write!(out, ", \"centre\": {}, \"radius\": {}", Point(centre), Number(*radius))?;
+        }
+        CurveShape::Arc { centre, radius, sweep_deg } => {
+            write!(out, ", \"centre\": {}, \"radius\": {}", Point(centre), Number(*radius))?;
+            write!(out, ", \"sweep_deg\": {}", Number(*sweep_deg))?;
+        }
+        CurveShape::Spline(BSpline { degree, knots, controls, .. }) => {
+            write!(out, ", \"degree\": {degree}, \"knots\": [")?;
+            list(out, knots, |out, _, &knot| write!(out, "{}", Number(knot)))?;
+            write!(out, "], \"controls\": [")?;
+            list(out, controls, |out, _, control| write!(out, "{}", Point(control)))?;
+            write!(out, "]")?;
+        }
+    }
+    write!(out, "}}")
+}
+
+fn run(out: &mut dyn Write, id: usize, run: &Run) -> io::Result<()> {
+    write!(out, "{{\"id\": {id}, \"kind\": \"{}\", \"hole\": {}, ", run.feature.name(), run.hole)?;
+    write!(out, "\"from\": {}, \"to\": {}, ", Number(run.from), Number(run.to))?;
+    write!(out, "\"range_error\": [{}, {}], ", Number(run.range_error[0]), Number(run.range_error[1]))?;
+    write!(out, "\"residual\": {}, \"centre\": {}, ", Number(run.residual), Point(&run.centre))?;
+    match run.feature {
+        Feature::Extrusion { radius: Some(radius) } => write!(out, "\"radius\": {}, ", Number(radius))?,
+        Feature::Extrusion { radius: None } => write!(out, "\"radius\": null, ")?,
+        Feature::Taper { angle_deg, apex, radius } => {
+            write!(out, "\"angle_deg\": {}, \"apex\": {}, ", Number(angle_deg), Number(apex))?;
+            write!(out, "\"radius\": {}, ", Number(radius.unwrap_or(f64::NAN)))?;
+        }
+        Feature::Revolution { least, most } => {
+            write!(out, "\"least_radius\": {}, \"most_radius\": {}, ", Number(least), Number(most))?;
+        }
+    }
+    write!(out, "\"contours\": [")?;
+    list(out, &run.contours, |out, _, (plane, index)| write!(out, "[{plane}, {index}]"))?;
+    write!(out, "]}}")
+}
+
+fn mirror(out: &mut dyn Write, _: usize, mirror: &Mirror) -> io::Result<()> {
+    write!(out, "{{\"point\": {}, \"normal\": {}, ", Point(&mirror.point), Point(&mirror.normal))?;
+    write!(out, "\"planes\": {}, \"residual\": {}}}", mirror.planes, Number(mirror.residual))
+}
+
+fn repeat(out: &mut dyn Write, _: usize, repeat: &Repeat) -> io::Result<()> {
+    write!(out, "{{\"runs\": [")?;
+    list(out, &repeat.runs, |out, _, run| write!(out, "{run}"))?;
+    write!(out, "], \"residual\": {}}}", Number(repeat.residual))
+}
