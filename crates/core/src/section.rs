@@ -9,7 +9,6 @@
 mod band;
 mod carry;
 mod curve;
-mod eigen;
 mod hull;
 mod link;
 mod lsq;
@@ -22,6 +21,7 @@ mod result;
 mod slice;
 mod smooth;
 mod spline;
+mod spread;
 mod stack;
 mod surface;
 mod tidy;

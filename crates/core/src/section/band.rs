@@ -45,7 +45,7 @@ pub(crate) fn assign(samples: &[Sample], chains: Vec<Chain>) -> Vec<Band> {
     let tree = Tree::new(&places);
     let mut best = Vec::new();
     for sample in samples {
-        tree.nearest(sample.foot, 6, &mut best);
+        tree.nearest(sample.foot, 4, &mut best);
         let nearest = best.iter().filter_map(|&(_, i)| place(&bands, owners[i as usize], sample));
         let pick = nearest.min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
         if let Some((b, _, arc)) = pick {

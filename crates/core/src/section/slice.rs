@@ -1,7 +1,8 @@
 //! Slicing (section 2): the frame of the slices, and which points each slab holds.
 
-use super::eigen::{self, Spread};
 use super::params::Axis;
+use super::spread::Spread;
+use crate::math::eigen3::eigen3;
 use crate::math::vec3;
 
 /// A right-handed frame whose third axis points across the slices.
@@ -56,7 +57,7 @@ pub(crate) fn resolve(axis: Axis, points: &[[f64; 3]]) -> SliceFrame {
 fn automatic(axis: Axis, points: &[[f64; 3]]) -> [f64; 3] {
     let Some(&origin) = points.first() else { return [0.0, 0.0, 1.0] };
     let spread = Spread::of(points.iter().map(|&p| (p, 1.0)), origin);
-    let (_, vectors) = eigen::decompose(&spread.tensor);
+    let vectors = eigen3(&spread.tensor).vectors;
     let pick = match axis {
         Axis::Thinnest => thinnest(points, &vectors),
         _ => vectors[2],

@@ -206,7 +206,15 @@ fn sides(band: &Band, arc: f64, noise: f64) -> Option<(Local, Local, f64)> {
     Some((before, after, h))
 }
 
+/// A chain that turns less than this, degrees, over the steps of two spacings to either side holds no corner.
+const STRAIGHT: f64 = 10.0;
+
 fn turn_at(band: &Band, arc: f64, noise: f64) -> f64 {
+    let step = 2.0 * spacing_at(band, arc.rem_euclid(band.length.max(1e-300)));
+    let (before, at, after) = (band.at(arc - step), band.at(arc), band.at(arc + step));
+    if angle(sub(at, before), sub(after, at)) < STRAIGHT {
+        return 0.0;
+    }
     sides(band, arc, noise).map_or(0.0, |(a, b, _)| angle(a.slope, b.slope))
 }
 

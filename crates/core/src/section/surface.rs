@@ -5,7 +5,7 @@
 
 use rayon::prelude::*;
 
-use super::eigen::{self, Spread};
+use super::spread::{self, Spread};
 use crate::math::vec3;
 use crate::neighbors::{self, Found, Index};
 
@@ -149,7 +149,7 @@ fn plain(points: &[[f64; 3]], i: u32, ids: &[u32]) -> Patch {
 }
 
 fn patch(spread: &Spread, spacing: f64) -> Patch {
-    let (least, normal) = eigen::least(&spread.tensor);
+    let (least, normal) = spread::least(&spread.tensor);
     // Three parameters of a plane are taken from the points.
     let freedom = (spread.weight - 3.0).max(1.0) / spread.weight.max(1.0);
     Patch { centre: spread.centre, normal, residual: (least.max(0.0) / freedom).sqrt(), spacing }
@@ -163,7 +163,12 @@ fn anchored(points: &[[f64; 3]], i: u32, ids: &[u32], first: &Patch, noise: f64)
         return *first;
     }
     let mut best = *first;
-    for _ in 0..2 {
+    for round in 0..2 {
+        let all_used = round > 0 || ids.len() < FIRST;
+        if all_used && best.residual <= (0.8 * noise + 0.02) * first.spacing {
+            // No neighbour lies off the plane: weights change nothing but the time it takes.
+            break;
+        }
         let weighted = std::iter::once(&i).chain(ids).map(|&j| {
             let p = points[j as usize];
             let off = vec3::dot(vec3::sub(p, own), best.normal) / reach;

@@ -33,12 +33,13 @@ pub(crate) fn left(a: [f64; 2]) -> [f64; 2] {
 
 /// Distance of two points.
 pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
+    let d = sub(a, b);
+    dot(d, d).sqrt()
 }
 
 /// The unit vector of `a`, or zero if it has no length.
 pub(crate) fn unit(a: [f64; 2]) -> [f64; 2] {
-    let length = a[0].hypot(a[1]);
+    let length = dot(a, a).sqrt();
     if length > 0.0 { [a[0] / length, a[1] / length] } else { [0.0; 2] }
 }
 
