@@ -6,8 +6,10 @@
 //! thin band ([`SectionParams::carry`]); and contours are told apart and ordered by linking tangents, before any
 //! outline, so that several, nested and open ones need no special case.
 
+mod adaptive;
 mod band;
 mod carry;
+mod corner;
 mod curve;
 mod hull;
 mod link;
@@ -58,7 +60,10 @@ pub fn section(cloud: &Cloud, params: &SectionParams) -> Result<Sections, Error>
     let index = Index::build(&local.positions);
     let texture = surface::texture(&local.positions, &index);
     let slicer = Slicer::new(&local, params, texture)?;
-    let heights = slicer.heights(params)?;
+    let mut heights = slicer.heights(params)?;
+    if let Planes::Adaptive { start, most } = params.planes {
+        heights = slicer.adapted(&local, &index, start, most);
+    }
     let found = slicer.cut(&local, &index, &heights);
     Ok(slicer.finish(found, &local, heights))
 }
@@ -84,12 +89,27 @@ impl<'a> Slicer<'a> {
 
     /// World heights of the planes in the order asked for.
     fn heights(&self, params: &SectionParams) -> Result<Vec<f64>, Error> {
+        let (low, high) = self.extent();
+        params::positions(&params.planes, low, high)
+    }
+
+    /// Least and greatest world height of the points; 0 for none.
+    fn extent(&self) -> (f64, f64) {
         let bounds = |(low, high): (f64, f64), p: &[f64; 3]| (low.min(p[2]), high.max(p[2]));
         let (low, high) = self.turned.iter().fold((f64::INFINITY, f64::NEG_INFINITY), bounds);
-        if self.turned.is_empty() {
-            return params::positions(&params.planes, 0.0, 0.0);
-        }
-        params::positions(&params.planes, self.base + self.scale * low, self.base + self.scale * high)
+        if low > high { (0.0, 0.0) } else { (self.base + self.scale * low, self.base + self.scale * high) }
+    }
+
+    /// World heights at the middles of adaptive slabs.
+    fn adapted(&self, local: &Localised, index: &Index, start: usize, most: usize) -> Vec<f64> {
+        let limits = adaptive::Limits {
+            start,
+            most,
+            thinnest: 2.0 * self.params.reach_spacings * self.texture.spacing * self.scale,
+            alike: (0.15 + 0.5 * self.texture.noise) * self.texture.spacing,
+        };
+        let slabs = adaptive::slabs(self.extent(), limits, |heights| self.cut(local, index, heights));
+        slabs.into_iter().map(|(low, high)| 0.5 * (low + high)).collect()
     }
 
     /// Half the thickness of a slab, local frame.

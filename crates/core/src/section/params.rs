@@ -94,7 +94,7 @@ impl Default for SectionParams {
             outline: Outline::Middle,
             side: Side::Middle,
             circle_bound: 1.0,
-            fit: true,
+            fit: false,
             tolerance: None,
         }
     }

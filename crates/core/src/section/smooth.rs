@@ -1,19 +1,22 @@
-//! The middle of a band: corners where two straight continuations meet, local lines between them.
+//! The middle of a band: local regression between its corners.
 
 use super::band::Band;
+use super::corner::corners;
 use super::link::{Chain, Vertex};
-use super::vec2::{along, distance, dot, meet, sub, unit};
+use super::vec2::distance;
 
 /// A line fitted to the samples of a stretch of a band: position and direction as functions of the arc.
 #[derive(Clone, Copy, Debug)]
-struct Local {
-    at: [f64; 2],
-    slope: [f64; 2],
+pub(super) struct Local {
+    /// Position.
+    pub at: [f64; 2],
+    /// Change of the position with the arc.
+    pub slope: [f64; 2],
 }
 
 /// Weighted regression of position on arc, evaluated at `centre`, over samples from `from` to `to` with a kernel of
 /// half-width `width`; `None` with fewer than three samples.
-fn regress(band: &Band, centre: f64, width: f64, from: f64, to: f64) -> Option<Local> {
+pub(super) fn regress(band: &Band, centre: f64, width: f64, from: f64, to: f64) -> Option<Local> {
     let mut sums = [0.0f64; 7];
     let mut count = 0;
     band.visit(from.max(centre - width), to.min(centre + width), |arc, sample| {
@@ -111,7 +114,7 @@ pub(crate) fn middle(band: &Band, noise: f64) -> Chain {
 }
 
 /// Half-width of the kernel in local spacings: wider with noise and on slanted surfaces.
-fn width(band: &Band, arc: f64, spacing: f64, noise: f64) -> f64 {
+pub(super) fn width(band: &Band, arc: f64, spacing: f64, noise: f64) -> f64 {
     1.8 + 3.0 * noise + 3.0 * (blur(band, arc, spacing) - 0.3 * noise).clamp(0.0, 1.0)
 }
 
@@ -124,7 +127,8 @@ fn blur(band: &Band, arc: f64, spacing: f64) -> f64 {
     if count > 0.0 { sum / count } else { 0.0 }
 }
 
-fn spacing_at(band: &Band, arc: f64) -> f64 {
+/// Spacing of the chain at an arc.
+pub(super) fn spacing_at(band: &Band, arc: f64) -> f64 {
     let v = band.arcs.partition_point(|&a| a <= arc).saturating_sub(1);
     band.chain.vertices[v.min(band.chain.vertices.len() - 1)].spacing
 }
@@ -151,96 +155,4 @@ fn end_vertex(band: &Band, noise: f64) -> Option<Vertex> {
     let h = spacing_at(band, band.length);
     regress(band, band.length, width(band, band.length, h, noise) * h, f64::NEG_INFINITY, f64::INFINITY)
         .map(|local| Vertex { at: local.at, spacing: h, corner: false, weak: false })
-}
-
-/// Least turn at a corner in degrees, without noise and what noise adds.
-const LEAST_TURN: (f64, f64) = (25.0, 60.0);
-
-/// Corners as (arc, vertex), ascending: places where the direction turns at once and hardly on either side.
-fn corners(band: &Band, noise: f64) -> Vec<(f64, Vertex)> {
-    let turns: Vec<(f64, f64)> =
-        probes(band).into_iter().map(|arc| (arc, turn_at(band, arc, noise))).collect();
-    let least = LEAST_TURN.0 + LEAST_TURN.1 * noise;
-    let mut order: Vec<usize> = (0..turns.len()).filter(|&i| turns[i].1 >= least).collect();
-    order.sort_by(|&a, &b| turns[b].1.total_cmp(&turns[a].1).then(a.cmp(&b)));
-    let mut found: Vec<(f64, Vertex)> = Vec::new();
-    for i in order {
-        let (arc, turn) = turns[i];
-        let h = spacing_at(band, arc);
-        let gap = |a: f64| {
-            let d = (a - arc).abs();
-            if band.chain.closed { d.min(band.length - d) } else { d }
-        };
-        if found.iter().any(|f| gap(f.0) < 1.5 * h) || !sudden(band, arc, turn, noise) {
-            continue;
-        }
-        if let Some(vertex) = corner_vertex(band, arc, noise) {
-            found.push((arc, vertex));
-        }
-    }
-    found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    found
-}
-
-fn probes(band: &Band) -> Vec<f64> {
-    let mut probes = Vec::new();
-    for (v, &arc) in band.arcs.iter().enumerate() {
-        probes.push(arc);
-        let next = band.arcs.get(v + 1).copied().unwrap_or(if band.chain.closed { band.length } else { arc });
-        if next > arc {
-            probes.push(0.5 * (arc + next));
-        }
-    }
-    probes
-}
-
-/// The lines that come into and go out of a place.
-fn sides(band: &Band, arc: f64, noise: f64) -> Option<(Local, Local, f64)> {
-    let h = spacing_at(band, arc.rem_euclid(band.length.max(1e-300)));
-    let (near, far) = (0.5 * h, (1.2 + width(band, arc, h, noise)) * h);
-    if !band.chain.closed && (arc < 1.2 * h || arc > band.length - 1.2 * h) {
-        return None;
-    }
-    let before = regress(band, arc, far, arc - far, arc - near)?;
-    let after = regress(band, arc, far, arc + near, arc + far)?;
-    Some((before, after, h))
-}
-
-/// A chain that turns less than this, degrees, over the steps of two spacings to either side holds no corner.
-const STRAIGHT: f64 = 10.0;
-
-fn turn_at(band: &Band, arc: f64, noise: f64) -> f64 {
-    let step = 2.0 * spacing_at(band, arc.rem_euclid(band.length.max(1e-300)));
-    let (before, at, after) = (band.at(arc - step), band.at(arc), band.at(arc + step));
-    if angle(sub(at, before), sub(after, at)) < STRAIGHT {
-        return 0.0;
-    }
-    sides(band, arc, noise).map_or(0.0, |(a, b, _)| angle(a.slope, b.slope))
-}
-
-fn angle(a: [f64; 2], b: [f64; 2]) -> f64 {
-    dot(unit(a), unit(b)).clamp(-1.0, 1.0).acos().to_degrees()
-}
-
-/// Whether the direction turns here and not evenly along the curve, as on a small circle.
-fn sudden(band: &Band, arc: f64, turn: f64, noise: f64) -> bool {
-    let h = spacing_at(band, arc);
-    let step = (2.6 + 3.0 * noise) * h;
-    let aside = |s: f64| turn_at(band, arc + s, noise);
-    let beside = 0.5 * (aside(-step) + aside(step));
-    beside < 0.5 * turn || aside(-step).min(aside(step)) < 0.2 * turn
-}
-
-fn corner_vertex(band: &Band, arc: f64, noise: f64) -> Option<Vertex> {
-    let (before, after, h) = sides(band, arc, noise)?;
-    let (a, b) = (unit(before.slope), unit(after.slope));
-    let middle = along(before.at, sub(after.at, before.at), 0.5);
-    let (ahead, _) = meet(before.at, a, after.at, b)?;
-    let at = along(before.at, a, ahead);
-    let close = distance(at, middle) <= 1.5 * h && distance(at, band.at(arc)) <= 2.0 * h;
-    // A corner has samples beside it; a bend of a few spacings, continued straight, has none at its tip.
-    let reach = (0.7 + noise) * h;
-    let mut held = false;
-    band.visit(arc - 2.0 * h, arc + 2.0 * h, |_, s| held |= distance(s.raw, at) <= reach);
-    (close && held).then_some(Vertex { at, spacing: h, corner: true, weak: false })
 }

@@ -41,10 +41,24 @@ fn products(d: [f64; 3]) -> [f64; 6] {
     [d[0] * d[0], d[0] * d[1], d[0] * d[2], d[1] * d[1], d[1] * d[2], d[2] * d[2]]
 }
 
+/// The normal of a plane and the spread across it; a zero normal where the points lie on a straight line, or all in
+/// one place, and so on any number of planes.
+pub(crate) fn normal(tensor: &[f64; 6]) -> (f64, [f64; 3]) {
+    let (value, vector) = least(tensor);
+    let [xx, xy, xz, yy, yz, zz] = *tensor;
+    let trace = xx + yy + zz;
+    // The sum of the principal minors is the sum of the products of two eigenvalues: about the greatest times the rest.
+    let minors = xx * yy - xy * xy + xx * zz - xz * xz + yy * zz - yz * yz;
+    if minors > LINE * trace * trace { (value, vector) } else { (value, [0.0; 3]) }
+}
+
+/// Share of the spread beside a straight line below which points show no plane.
+const LINE: f64 = 1e-5;
+
 /// The least eigenvalue of a tensor and its unit vector: the root of the characteristic polynomial in closed form,
 /// the vector as the longest of the products of rows. Good to about 1e-8 of the greatest spread, which a plane fit to
 /// scattered points never needs; where two eigenvalues agree so closely that no product is sure, by rotations.
-pub(crate) fn least(tensor: &[f64; 6]) -> (f64, [f64; 3]) {
+fn least(tensor: &[f64; 6]) -> (f64, [f64; 3]) {
     let [xx, xy, xz, yy, yz, zz] = *tensor;
     let mean = (xx + yy + zz) / 3.0;
     let (a, b, c) = (xx - mean, yy - mean, zz - mean);

@@ -13,7 +13,7 @@ mod track;
 use super::result::Sections;
 use crate::cloud::Cloud;
 use crate::error::Error;
-use profile::Profile;
+use runs::Found;
 
 /// What a stack of slices says.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -119,13 +119,12 @@ pub fn stack(cloud: &Cloud, sections: &Sections) -> Result<Stack, Error> {
     let tolerance = tolerance(sections);
     let levels = profile::levels(sections, tolerance);
     let tracks = track::tracks(&levels);
-    let mut runs: Vec<(Run, &Profile)> =
-        tracks.iter().flat_map(|t| runs::runs(t, sections, tolerance)).collect();
-    ends::refine(cloud, sections, &mut runs)?;
-    runs.sort_by(|a, b| a.0.from.total_cmp(&b.0.from).then_with(|| a.0.contours.cmp(&b.0.contours)));
-    let repeats = runs::repeats(&runs, tolerance);
+    let mut found: Vec<Found> = tracks.iter().flat_map(|t| runs::runs(t, sections, tolerance)).collect();
+    ends::refine(cloud, sections, &mut found)?;
+    found.sort_by(|a, b| a.run.from.total_cmp(&b.run.from).then_with(|| a.run.contours.cmp(&b.run.contours)));
+    let repeats = runs::repeats(&found, tolerance);
     Ok(Stack {
-        runs: runs.into_iter().map(|r| r.0).collect(),
+        runs: found.into_iter().map(|f| f.run).collect(),
         mirrors: mirror::mirrors(&levels, sections, tolerance),
         repeats,
     })

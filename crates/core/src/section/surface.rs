@@ -21,7 +21,7 @@ const SAMPLE: usize = 20_000;
 pub(crate) struct Patch {
     /// Weighted mean of the neighbours.
     pub centre: [f64; 3],
-    /// Unit normal of either sign.
+    /// Unit normal of either sign; zero where the neighbours lie on a line and show no plane.
     pub normal: [f64; 3],
     /// Root mean square distance of the neighbours from the plane.
     pub residual: f64,
@@ -149,7 +149,7 @@ fn plain(points: &[[f64; 3]], i: u32, ids: &[u32]) -> Patch {
 }
 
 fn patch(spread: &Spread, spacing: f64) -> Patch {
-    let (least, normal) = spread::least(&spread.tensor);
+    let (least, normal) = spread::normal(&spread.tensor);
     // Three parameters of a plane are taken from the points.
     let freedom = (spread.weight - 3.0).max(1.0) / spread.weight.max(1.0);
     Patch { centre: spread.centre, normal, residual: (least.max(0.0) / freedom).sqrt(), spacing }

@@ -1,7 +1,10 @@
-//! Vertices that turn a chain back on itself, left out.
+//! Vertices that turn a chain back on itself, or crowd a corner, left out.
 
 use super::link::{Chain, Vertex};
-use super::vec2::{dot, sub};
+use super::vec2::{distance, dot, sub};
+
+/// Vertices this close to a corner, in spacings, are left to it: samples of both sides meet there.
+const CROWDED: f64 = 0.5;
 
 /// Leaves out every vertex, but corners, at which the chain turns by more than a right angle: a step of a spacing
 /// along a curve never does, while a stray sample or an overshoot at a corner does.
@@ -28,7 +31,9 @@ fn pass(vertices: &[Vertex], closed: bool) -> Vec<Vertex> {
         let inner = closed || (i > 0 && i + 1 < n);
         let before = kept.last().unwrap_or(&vertices[n - 1]);
         let after = &vertices[(i + 1) % n];
-        if !inner || v.corner || dot(sub(before.at, v.at), sub(after.at, v.at)) <= 0.0 {
+        let crowds = |o: &Vertex| o.corner && distance(o.at, v.at) < CROWDED * v.spacing;
+        let back = dot(sub(before.at, v.at), sub(after.at, v.at)) > 0.0;
+        if !inner || v.corner || !(back || crowds(before) || crowds(after)) {
             kept.push(*v);
         }
     }

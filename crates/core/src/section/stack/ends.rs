@@ -5,8 +5,8 @@ use super::super::result::Sections;
 use super::super::surface::{self, Patch};
 use super::super::tree::Tree;
 use super::super::vec2::onto;
-use super::Run;
 use super::profile::Profile;
+use super::runs::Found;
 use crate::cloud::Cloud;
 use crate::error::Error;
 use crate::frame::Frame;
@@ -28,19 +28,22 @@ struct Spot {
 }
 
 /// Sets `from`, `to` and `range_error` of every run from the points between its slices and those just outside.
-pub(super) fn refine(cloud: &Cloud, sections: &Sections, runs: &mut [(Run, &Profile)]) -> Result<(), Error> {
+pub(super) fn refine(cloud: &Cloud, sections: &Sections, runs: &mut [Found]) -> Result<(), Error> {
     if runs.is_empty() {
         return Ok(());
     }
     let spots = spots(cloud, sections)?;
-    for (run, middle) in runs.iter_mut() {
-        let heights: Vec<f64> = run.contours.iter().map(|c| sections.heights[c.0]).collect();
-        let (first, last) = (heights[0], heights[heights.len() - 1]);
+    // A slice within a spacing of a face may not show the outline whole: the face then lies past that slice.
+    let past = sections.spacing;
+    for Found { run, profiles } in runs.iter_mut() {
+        let [low, _, high] = *profiles;
+        let (first, last) = (low.height, high.height);
         // Beyond the outermost slice the cloud may go on for any length: its end bounds the search.
-        let below = if run.range_error[0].is_finite() { 2.0 * run.from - first } else { f64::NEG_INFINITY };
-        let above = if run.range_error[1].is_finite() { 2.0 * run.to - last } else { f64::INFINITY };
-        let down = end(&spots, middle, sections, first, below);
-        let up = end(&spots, middle, sections, last, above);
+        let below =
+            if run.range_error[0].is_finite() { 2.0 * run.from - first - past } else { f64::NEG_INFINITY };
+        let above = if run.range_error[1].is_finite() { 2.0 * run.to - last + past } else { f64::INFINITY };
+        let down = end(&spots, low, sections, first, below);
+        let up = end(&spots, high, sections, last, above);
         (run.from, run.range_error[0]) = down.unwrap_or((run.from, run.range_error[0]));
         (run.to, run.range_error[1]) = up.unwrap_or((run.to, run.range_error[1]));
     }

@@ -10,18 +10,25 @@ use super::{Feature, Repeat, Run};
 /// Fewest slices of a taper or revolution: two always agree.
 const LEAST: usize = 3;
 
-/// The runs of a track, each with its middle profile. From where the last run ended, the kind that reaches farthest is
-/// taken, the simpler one on a tie; a run of one slice is none.
-pub(super) fn runs<'a>(track: &Track<'a>, sections: &Sections, tolerance: f64) -> Vec<(Run, &'a Profile)> {
+/// A run with its lowest, middle and highest contour.
+pub(super) struct Found<'a> {
+    pub run: Run,
+    pub profiles: [&'a Profile; 3],
+}
+
+/// The runs of a track. Extrusions come first, as they are the strictest: where the outline stays and then jumps. What
+/// lies between them is the taper or revolution that reaches farthest; a run of one slice is none.
+pub(super) fn runs<'a>(track: &Track<'a>, sections: &Sections, tolerance: f64) -> Vec<Found<'a>> {
     let all = &track.profiles;
     let mut found = Vec::new();
     let mut first = 0;
     while first + 1 < all.len() {
-        let extrusion = reach(all, first, 2, |p| extrusion(p, tolerance));
-        let taper = reach(all, first, LEAST, |p| taper(p, tolerance));
-        let turned = reach(all, first, LEAST + 1, |p| revolution(p, tolerance));
-        let best =
-            [extrusion, taper, turned].into_iter().flatten().reduce(|a, b| if b.0 > a.0 { b } else { a });
+        let best = settled_extrusion(all, first, tolerance).or_else(|| {
+            let rest = &all[..next_extrusion(all, first, tolerance)];
+            let taper = reach(rest, first, LEAST, |p| taper(p, tolerance));
+            let turned = reach(rest, first, LEAST + 1, |p| revolution(p, tolerance));
+            [taper, turned].into_iter().flatten().reduce(|a, b| if b.0 > a.0 { b } else { a })
+        });
         let Some((last, feature, residual)) = best else {
             first += 1;
             continue;
@@ -29,10 +36,34 @@ pub(super) fn runs<'a>(track: &Track<'a>, sections: &Sections, tolerance: f64) -
         let own = &all[first..=last];
         let below = if first == 0 { track.below } else { Some(all[first - 1].height) };
         let above = if last + 1 == all.len() { track.above } else { Some(all[last + 1].height) };
-        found.push((run(own, [below, above], feature, residual, sections), own[own.len() / 2]));
+        let run = run(own, [below, above], feature, residual, sections);
+        found.push(Found { run, profiles: [own[0], own[own.len() / 2], own[own.len() - 1]] });
         first = last + 1;
     }
     found
+}
+
+/// An extrusion from `first` whose outline does not drift: where the track goes on, it jumps. On a dome or a cone
+/// neighbouring slices agree within the tolerance too, but go on changing as they did.
+fn settled_extrusion(all: &[&Profile], first: usize, tolerance: f64) -> Option<Reached> {
+    let found = reach(all, first, 2, |p| extrusion(p, tolerance))?;
+    let middle = all[(first + found.0) / 2];
+    let settled = |end: usize, next: Option<&&Profile>| {
+        let Some(next) = next else { return true };
+        let (drift, jump) = (all[end].apart(middle, [0.0; 2]), next.apart(middle, [0.0; 2]));
+        jump >= JUMP * tolerance || drift <= 0.2 * jump
+    };
+    let before = first.checked_sub(1).and_then(|k| all.get(k));
+    // Three slices at least show that nothing drifts, where nothing jumps.
+    (settled(first, before) && settled(found.0, all.get(found.0 + 1))).then_some(found)
+}
+
+/// How far an outline jumps at the end of an extrusion, in tolerances.
+const JUMP: f64 = 3.0;
+
+/// Where the next extrusion after `first` begins, or the end of the track.
+fn next_extrusion(all: &[&Profile], first: usize, tolerance: f64) -> usize {
+    (first + 1..all.len()).find(|&k| settled_extrusion(all, k, tolerance).is_some()).unwrap_or(all.len())
 }
 
 type Reached = (usize, Feature, f64);
@@ -140,7 +171,7 @@ fn run(
 }
 
 /// Groups of runs with the same outline, laid over each other by their centroids.
-pub(super) fn repeats(runs: &[(Run, &Profile)], tolerance: f64) -> Vec<Repeat> {
+pub(super) fn repeats(runs: &[Found], tolerance: f64) -> Vec<Repeat> {
     let mut grouped = vec![false; runs.len()];
     let mut found = Vec::new();
     for i in 0..runs.len() {
@@ -162,13 +193,13 @@ pub(super) fn repeats(runs: &[(Run, &Profile)], tolerance: f64) -> Vec<Repeat> {
     found
 }
 
-fn same(a: &(Run, &Profile), b: &(Run, &Profile), tolerance: f64) -> Option<f64> {
+fn same(a: &Found, b: &Found, tolerance: f64) -> Option<f64> {
     let extruded = |r: &Run| matches!(r.feature, Feature::Extrusion { .. });
-    let alike = a.0.hole == b.0.hole && extruded(&a.0) && extruded(&b.0);
-    let size = (a.1.area.sqrt() - b.1.area.sqrt()).abs();
+    let alike = a.run.hole == b.run.hole && extruded(&a.run) && extruded(&b.run);
+    let size = (a.profiles[1].area.sqrt() - b.profiles[1].area.sqrt()).abs();
     if !alike || size > 4.0 * tolerance {
         return None;
     }
-    let off = a.1.apart(b.1, a.1.onto(b.1));
+    let off = a.profiles[1].apart(b.profiles[1], a.profiles[1].onto(b.profiles[1]));
     (off <= tolerance).then_some(off)
 }
