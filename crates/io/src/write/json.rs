@@ -101,7 +101,7 @@ pub(super) fn lines<T>(
 }
 
 /// A number; `null` if it is none.
-pub(super) struct Number(pub f64);
+pub(super) struct Number(pub(super) f64);
 
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -109,7 +109,7 @@ impl fmt::Display for Number {
     }
 }
 
-pub(super) struct Point<'a>(pub &'a [f64; 3]);
+pub(super) struct Point<'a>(pub(super) &'a [f64; 3]);
 
 impl fmt::Display for Point<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -118,7 +118,7 @@ impl fmt::Display for Point<'_> {
     }
 }
 
-pub(super) struct Index(pub Option<u32>);
+struct Index(Option<u32>);
 
 impl fmt::Display for Index {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -130,7 +130,7 @@ impl fmt::Display for Index {
 }
 
 /// A text in quotes.
-pub(super) struct Text<'a>(pub &'a str);
+pub(super) struct Text<'a>(pub(super) &'a str);
 
 impl fmt::Display for Text<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
