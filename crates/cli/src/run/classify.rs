@@ -30,7 +30,9 @@ fn one(work: &Work, origin: &Origin, outputs: &[PathBuf]) -> Result<Done, Failur
     let input = work.load(origin, &ReadOptions::default())?;
     let found = work.extract(origin, &input)?;
     let classes: Vec<u8> = found.classes().into_iter().map(|class| class as u8).collect();
-    let table = PointTable { cloud: &input.cloud, classes: &classes, scores: &found.scores() };
+    let scores = found.scores();
+    let table =
+        PointTable { cloud: &input.cloud, classes: &classes, scores: &scores, las: input.las.as_ref() };
     for path in outputs {
         outputs::write(path, || write_points(path, &work.inputs, &table))?;
     }

@@ -57,6 +57,9 @@ fn file_lines(text: &mut String, input: &Input) {
         line(text, "format", format);
         line(text, "bytes", grouped(*bytes as usize));
     }
+    if let Some(crs) = &input.crs {
+        line(text, "reference", crs);
+    }
     line(text, "points", grouped(input.cloud.len()));
     for attribute in &input.cloud.attributes {
         line(text, "attribute", format!("{} ({})", attribute.name, type_name(&attribute.values)));
