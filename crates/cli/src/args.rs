@@ -112,6 +112,9 @@ pub struct Render {
 pub struct Info {
     #[command(flatten)]
     pub source: Source,
+    /// Read only every N-th point
+    #[arg(long, help_heading = "Reading", value_name = "N", conflicts_with = "sample", value_parser = parse::count)]
+    pub every: Option<usize>,
 }
 
 /// What the commands that extract have in common.
@@ -119,6 +122,9 @@ pub struct Info {
 pub struct Work {
     #[command(flatten)]
     pub source: Source,
+    /// Read only every N-th point
+    #[arg(long, help_heading = "Reading", value_name = "N", conflicts_with = "sample", value_parser = parse::count)]
+    pub every: Option<usize>,
     #[command(flatten)]
     pub tuning: Tuning,
     #[command(flatten)]
@@ -149,9 +155,6 @@ pub struct Reading {
     #[arg(long, value_name = "X,Y,Z,X,Y,Z", value_parser = parse::bounds, allow_hyphen_values = true)]
     #[arg(conflicts_with = "sample")]
     pub bounds: Option<[[f64; 3]; 2]>,
-    /// Read only every N-th point
-    #[arg(long, value_name = "N", conflicts_with = "sample", value_parser = parse::count)]
-    pub every: Option<usize>,
     /// Read only one point of every cube with this edge, in the unit of the input
     #[arg(long, value_name = "SIZE", conflicts_with = "sample", value_parser = parse::length)]
     pub voxel: Option<f64>,

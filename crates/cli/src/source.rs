@@ -93,15 +93,15 @@ impl Origin {
     ///
     /// # Errors
     /// Input if a file cannot be read, usage if there is no such sample, refused if `--strict` says so.
-    pub fn load(&self, source: &Source, options: &ReadOptions) -> Result<Input, Failure> {
+    pub fn load(&self, reading: &Reading, options: &ReadOptions) -> Result<Input, Failure> {
         let start = Instant::now();
-        let options = &with_reading(options, &source.reading);
+        let options = &with_reading(options, reading);
         let input = match self {
             Origin::File(path) => from_file(path, self.name(), options),
             Origin::Stdin => from_file(Path::new("-"), self.name(), options),
             Origin::Sample { name, seed } => from_sample(name, *seed, self.name()),
         }?;
-        if source.reading.strict {
+        if reading.strict {
             self.refuse_non_finite(&input.cloud)?;
         }
         Ok(Input { seconds: start.elapsed().as_secs_f64(), ..input })
@@ -132,7 +132,6 @@ fn with_reading(options: &ReadOptions, reading: &Reading) -> ReadOptions {
         salvage: reading.salvage,
         memory: reading.memory,
         scan: reading.scan,
-        every: reading.every,
         voxel: reading.voxel,
         bounds: reading.bounds,
         format: reading.input_format,
