@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{ArgAction, Args as ClapArgs, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
+use lineament::detect::baselines::Detector;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -52,8 +53,18 @@ Formats by extension:
   .npy  classes as u8, one a point
   .ply  the points and their attributes with class and score
 
-Example:
-  lineament classify part.ply -o part.classes.npy -o part.classes.ply";
+Detectors, each with an automatic threshold; a point above it is 1, all others 0:
+  projection            projected distance at each point's best scale (Tran 2013)
+  surface-variation     least eigenvalue over the sum, 16 neighbours (Pauly 2003)
+  mean-curvature        of a quadric fitted to 16 neighbours
+  normal-difference     mean angle to the normals of 16 neighbours
+  multiscale-variation  greatest surface variation of 8 to 32 neighbours
+  persistence           share of these scales at which it is high
+
+Examples:
+  lineament classify part.ply -o part.classes.npy -o part.classes.ply
+  lineament classify part.ply -o sharp.npy --detector projection
+  lineament classify part.ply -o part.scores.ply --scores";
 
 const RENDER_HELP: &str = "\
 Creases are red, borders blue, junctions black, corners green, ends pink. What the surface hides is
@@ -115,6 +126,12 @@ pub struct Classify {
     /// times; a folder gets NAME.classes.npy, `{stem}` stands for the input's name, `-` is NPY on standard output
     #[arg(short, long, value_name = "OUT", required = true, value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
+    /// Mark the points by this measure and its threshold alone, without looking for lines; see below
+    #[arg(long, value_name = "NAME", conflicts_with = "method", value_parser = parse_detector)]
+    pub detector: Option<Detector>,
+    /// Write the score of every detector as an attribute of the points (PLY)
+    #[arg(long)]
+    pub scores: bool,
     #[command(flatten)]
     pub work: Work,
 }
@@ -214,6 +231,11 @@ pub struct Running {
 fn parse_setting(text: &str) -> Result<(String, String), String> {
     let (key, value) = text.split_once('=').ok_or("write KEY=VALUE, such as penalty.gamma=0.4")?;
     Ok((key.trim().into(), value.trim().into()))
+}
+
+fn parse_detector(text: &str) -> Result<Detector, String> {
+    let names = || Detector::ALL.map(Detector::name).join(", ");
+    Detector::named(text).ok_or_else(|| format!("the detectors are {}", names()))
 }
 
 fn parse_size(text: &str) -> Result<(usize, usize), String> {
