@@ -46,6 +46,9 @@ sections! {
         /// Rise of the projected distance from one neighbourhood size to the next that counts as the edge coming into
         /// sight (the paper's epsilon, section 2.3).
         jump: f64 = 3.0, "", 1.0..=1000000.0;
+        /// Projected distance below which there is none to speak of, so that rounding and noise are no rise; auto: from
+        /// the noise.
+        floor_spacings: Auto<f64> = Auto::Auto, "spacings", 0.0..=10.0;
         /// Bins of the histogram that Otsu's threshold is found on (section 2.4).
         bins: usize = 256, "bins", 2.0..=65536.0;
     }

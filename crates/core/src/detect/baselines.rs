@@ -17,6 +17,9 @@ use crate::resolution::Resolution;
 /// Neighbours of the measures that have one scale, and its index among the scales.
 const SCALE: (usize, usize) = (16, 2);
 
+/// Values up to here are rounding: all of these measures are numbers near one where there is an edge.
+const LEAST: f64 = 1e-6;
+
 /// A measure that marks points by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Detector {
@@ -82,5 +85,5 @@ pub fn marks(
         Detector::MultiscaleVariation => variation::greatest(points),
         Detector::Persistence => variation::persistence(points, params.bins),
     };
-    Marks::new(values, params.bins)
+    Marks::new(values, LEAST, params.bins)
 }

@@ -18,13 +18,13 @@ pub struct Marks {
 
 impl Marks {
     /// Normalises `values`, none of them negative, and cuts their histogram of `bins` bins by Otsu's method (Tran 2013,
-    /// section 2.4).
-    pub fn new(mut values: Vec<f32>, bins: usize) -> Marks {
+    /// section 2.4). Where no value is above `least` all are rounding, and there is nothing to mark.
+    pub fn new(mut values: Vec<f32>, least: f64, bins: usize) -> Marks {
         let greatest = values.iter().fold(0.0f32, |a, &b| a.max(b));
         if greatest > 0.0 {
             values.iter_mut().for_each(|v| *v /= greatest);
         }
-        let cut = otsu(&values, bins);
+        let cut = otsu(&values, bins).filter(|_| f64::from(greatest) > least);
         Marks {
             score: values,
             greatest: greatest.into(),
@@ -59,7 +59,7 @@ mod tests {
 
     #[test]
     fn scores_are_relative_to_the_greatest_and_the_greater_heap_is_marked() {
-        let marks = Marks::new(vec![0.0, 0.1, 4.0, 0.2, 3.8], 256);
+        let marks = Marks::new(vec![0.0, 0.1, 4.0, 0.2, 3.8], 0.0, 256);
         assert_eq!((marks.score[2], marks.greatest), (1.0, 4.0));
         assert_eq!(marks.count(), 2);
         let [smooth, crease] = [Class::Smooth, Class::Crease];
@@ -67,9 +67,10 @@ mod tests {
     }
 
     #[test]
-    fn equal_values_mark_nothing() {
-        assert_eq!(Marks::new(vec![0.0; 5], 256).count(), 0);
-        assert_eq!(Marks::new(vec![2.0; 5], 256).count(), 0);
-        assert_eq!(Marks::new(Vec::new(), 256).count(), 0);
+    fn equal_values_and_values_of_rounding_mark_nothing() {
+        assert_eq!(Marks::new(vec![1e-17, 3e-17, 0.0], 1e-9, 256).count(), 0);
+        assert_eq!(Marks::new(vec![0.0; 5], 0.0, 256).count(), 0);
+        assert_eq!(Marks::new(vec![2.0; 5], 0.0, 256).count(), 0);
+        assert_eq!(Marks::new(Vec::new(), 0.0, 256).count(), 0);
     }
 }

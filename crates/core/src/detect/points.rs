@@ -6,7 +6,7 @@ use super::projection::warning;
 use crate::extract::refuse_degenerate;
 use crate::frame::{Frame, Localised};
 use crate::measure::Class;
-use crate::neighbors::all_nearest;
+use crate::neighbors::{all_nearest, riemannian::graph};
 use crate::resolution::Resolution;
 use crate::{Cloud, Error, Params, Report};
 
@@ -29,7 +29,8 @@ pub fn mark(world: &Cloud, params: &Params, detectors: &[Detector]) -> Result<Ma
     params.check()?;
     let Localised { frame, positions, canonical, dropped, merged, .. } = Frame::localise(world)?;
     refuse_degenerate(world.len(), &positions)?;
-    let resolution = Resolution::estimate(&positions, &all_nearest(&positions, params.neighbors.k));
+    let nearest = all_nearest(&positions, params.neighbors.k);
+    let resolution = Resolution::estimate(&positions, &nearest, &graph(&positions, &nearest));
     let found = detectors.iter().map(|&d| (d, marks(&positions, resolution, &params.projection, d)));
     let marks: Vec<(Detector, Marks)> = found.collect();
     let report = Report {

@@ -8,8 +8,7 @@
 //! Two things are said more closely than in the paper. Its histogram has no resolution there: here 256 bins. And ratios of
 //! distances that are rounding or noise count as none: see [`choice::floor`].
 //!
-//! The paper ends with marked points; [`candidates`] prepares them for a linker. A border stands in its own plane: it has
-//! no projected distance, and this method finds none.
+//! The paper ends with marked points; [`candidates`] prepares them for a linker.
 
 pub mod candidates;
 pub mod choice;
@@ -37,7 +36,7 @@ pub const NOISE_LIMIT: f64 = 0.15;
 /// Projected distances of all points at their best scales, and which of them are marked. `points` in canonical order,
 /// local frame.
 pub fn project(points: &[[f64; 3]], resolution: Resolution, params: &ProjectionParams) -> Projection {
-    let floor = choice::floor(resolution);
+    let floor = choice::floor(resolution, params);
     let rows = at_every_scale(points, |_, _, scales| {
         let best = choice::best_scale(scales, floor, params.jump);
         let at = scales[best];
@@ -50,7 +49,7 @@ pub fn project(points: &[[f64; 3]], resolution: Resolution, params: &ProjectionP
         projection.scale.push(scale);
         projection.normal.push(normal);
     }
-    projection.marks = Marks::new(distances, params.bins);
+    projection.marks = Marks::new(distances, floor, params.bins);
     projection
 }
 

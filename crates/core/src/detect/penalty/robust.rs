@@ -35,7 +35,7 @@ const MOST_PENALTY: f64 = 0.75;
 /// Sine of half the fold from which on one face hides the other, and an opening is none: 108 degrees.
 const ACUTE: f64 = 0.809;
 /// Evidence at which a single point is known to lie on a round, whatever the rest of its chain says.
-const CLEARLY_SMOOTH: f32 = -4.0;
+pub(crate) const CLEARLY_SMOOTH: f32 = -4.0;
 
 /// What every point needs to know.
 pub(crate) struct Context<'a> {

@@ -5,6 +5,7 @@
 //! nothing; on a scanned one both are noise. So distances count as no less than a floor.
 
 use super::scales::{AtScale, SCALES};
+use crate::params::ProjectionParams;
 use crate::resolution::Resolution;
 
 /// Index of the scale 16, taken where no jump is seen.
@@ -14,9 +15,10 @@ const FLOOR_SPACINGS: f64 = 0.05;
 /// Standard deviations of the noise below which it is noise: the point's own is all in the distance.
 const FLOOR_NOISE: f64 = 1.0;
 
-/// The floor that suits spacing and noise, local frame.
-pub fn floor(resolution: Resolution) -> f64 {
-    FLOOR_SPACINGS * resolution.spacing + FLOOR_NOISE * resolution.noise
+/// The floor as given, or what suits spacing and noise; local frame.
+pub fn floor(resolution: Resolution, params: &ProjectionParams) -> f64 {
+    let noise = resolution.noise / resolution.spacing;
+    params.floor_spacings.or(|| FLOOR_SPACINGS + FLOOR_NOISE * noise) * resolution.spacing
 }
 
 /// Index into [`SCALES`] of the best scale: the one before the first rise by more than a factor of `jump`.
