@@ -30,7 +30,9 @@ pub fn mark(world: &Cloud, params: &Params, detectors: &[Detector]) -> Result<Ma
     let Localised { frame, positions, canonical, dropped, merged, .. } = Frame::localise(world)?;
     refuse_degenerate(world.len(), &positions)?;
     let nearest = all_nearest(&positions, params.neighbors.k);
-    let resolution = Resolution::estimate(&positions, &nearest, &graph(&positions, &nearest));
+    let estimate = Resolution::estimate(&positions, &nearest, &graph(&positions, &nearest));
+    let noise = params.penalty.noise_spacings.or(|| estimate.noise / estimate.spacing) * estimate.spacing;
+    let resolution = Resolution { noise, ..estimate };
     let found = detectors.iter().map(|&d| (d, marks(&positions, resolution, &params.projection, d)));
     let marks: Vec<(Detector, Marks)> = found.collect();
     let report = Report {
