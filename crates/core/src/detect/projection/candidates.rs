@@ -62,10 +62,13 @@ pub fn measure(points: &[[f64; 3]], graph: &Neighbors, resolution: Resolution, p
     for fold in folds.iter().filter(|fold| is_ridge(graph, resolution, &marks, &folds, fold)) {
         crease.push(fold.0, fold.1);
     }
+    // As in the robust penalties: feet scatter with the noise, and a band of them is as wide.
+    let (unit, blur) = (resolution.unit(), (4.0 * resolution.noise).min(2.0 * resolution.unit()));
+    align(graph, &mut crease, derived.hops.max(2), blur, blur);
     let mut border =
         Penalties { share: params.penalty.gamma, direction: Direction::Across, ..Default::default() };
     rows.iter().filter_map(|r| Some((r.0, r.2?))).for_each(|(i, row)| border.push(i, row));
-    align(points, graph, &mut border, resolution);
+    align(graph, &mut border, 2, 2.0 * unit, 2.0 * unit);
     Measure {
         density: (0..points.len()).into_par_iter().map(|i| density(points, graph, i) as f32).collect(),
         class: marks.classes(),
