@@ -11,9 +11,9 @@ use crate::resolution::Resolution;
 /// Index of the scale 16, taken where no jump is seen.
 const STANDARD: usize = 2;
 /// Share of the spacing below which a projected distance is as good as none.
-const FLOOR_SPACINGS: f64 = 0.01;
+const FLOOR_SPACINGS: f64 = 0.05;
 /// Standard deviations of the noise below which it is noise: the point's own is all in the distance.
-const FLOOR_NOISE: f64 = 1.5;
+const FLOOR_NOISE: f64 = 1.0;
 
 /// The floor as given, or what suits spacing and noise; local frame.
 pub fn floor(resolution: Resolution, params: &ProjectionParams) -> f64 {
