@@ -27,10 +27,11 @@ fn marked(sandbox: &Sandbox, name: &str) -> usize {
 #[test]
 fn projection_marks_the_cubes_92_as_a_detector_and_as_a_method() {
     let sandbox = with_cube();
-    sandbox
-        .run(&["classify", "cube.xyz", "-o", "a.npy", "--detector", "projection"])
-        .expect(0)
-        .says(&["386 points read", "294 smooth points", "92 crease points"]);
+    sandbox.run(&["classify", "cube.xyz", "-o", "a.npy", "--detector", "projection"]).expect(0).says(&[
+        "386 points read",
+        "294 smooth points",
+        "92 crease points",
+    ]);
     sandbox.run(&["classify", "cube.xyz", "-o", "b.npy", "--method", "projection"]).expect(0);
     assert_eq!(marked(&sandbox, "a.npy"), 92);
     assert_eq!(sandbox.read("a.npy"), sandbox.read("b.npy"));

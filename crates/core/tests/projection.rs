@@ -117,7 +117,8 @@ fn noise_above_the_limit_is_told_and_noise_below_is_not() {
 #[test]
 fn few_points_are_marked_or_refused_by_name() {
     let corner = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let by = |points: &[[f64; 3]], detector| mark(&Cloud::new(points.to_vec()), &Params::default(), &[detector]);
+    let by =
+        |points: &[[f64; 3]], detector| mark(&Cloud::new(points.to_vec()), &Params::default(), &[detector]);
     for detector in Detector::ALL {
         assert_eq!(by(&corner, detector).unwrap().classes(0).len(), 4);
         let few = by(&corner[..3], detector);

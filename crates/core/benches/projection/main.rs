@@ -44,8 +44,7 @@ impl Scene {
     fn new(sampled: &Sampled) -> Scene {
         let local = Frame::localise(&sampled.cloud).expect("the shape has a surface");
         let nearest = all_nearest(&local.positions, Params::default().neighbors.k);
-        let resolution =
-            Resolution::estimate(&local.positions, &nearest, &graph(&local.positions, &nearest));
+        let resolution = Resolution::estimate(&local.positions, &nearest, &graph(&local.positions, &nearest));
         let world = sampled.distances();
         let distances = local.source.iter().map(|&i| world[i as usize] / sampled.spacing).collect();
         Scene { local, resolution, distances }
@@ -69,7 +68,9 @@ fn bracket_of(count: usize, noise: f64) -> Sampled {
 }
 
 fn table_1() {
-    println!("\nTable 1: projected distance in spacings at a smooth, a near-sharp and a sharp point of a bracket");
+    println!(
+        "\nTable 1: projected distance in spacings at a smooth, a near-sharp and a sharp point of a bracket"
+    );
     let scene = Scene::new(&bracket_of(6475, 0.0));
     let rows = at_every_scale(&scene.local.positions, |_, _, scales| scales.map(|s| s.distance));
     // The last of its kind in canonical order lies away from the bore, where no face is plane.
@@ -89,8 +90,7 @@ fn table_2() {
     println!("| detector | marked | on edges |\n|---|---|---|");
     let scene = Scene::new(&cube_386());
     for detector in Detector::ALL {
-        let marks =
-            marks(&scene.local.positions, scene.resolution, &Params::default().projection, detector);
+        let marks = marks(&scene.local.positions, scene.resolution, &Params::default().projection, detector);
         let right = (0..386).filter(|&i| marks.is_marked(i) && scene.distances[i] < ON_EDGE).count();
         println!("| {} | {} | {right} |", detector.name(), marks.count());
     }

@@ -50,10 +50,7 @@ pub fn svg(curves: &[Curve], limit: f64) -> String {
 }
 
 fn place([noise, f1]: [f64; 2]) -> [f64; 2] {
-    [
-        FRAME[0] + (FRAME[2] - FRAME[0]) * noise / MOST_NOISE,
-        FRAME[3] - (FRAME[3] - FRAME[1]) * f1,
-    ]
+    [FRAME[0] + (FRAME[2] - FRAME[0]) * noise / MOST_NOISE, FRAME[3] - (FRAME[3] - FRAME[1]) * f1]
 }
 
 fn line(out: &mut String, [a, b]: [[f64; 2]; 2], colour: &str, extra: &str) {

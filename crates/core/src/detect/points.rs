@@ -43,7 +43,11 @@ pub fn mark(world: &Cloud, params: &Params, detectors: &[Detector]) -> Result<Ma
         spacing: frame.length_to_world(resolution.spacing),
         noise: frame.length_to_world(resolution.noise),
         settings: marks.iter().map(|(d, m)| setting(*d, m)).collect(),
-        notes: if detectors.contains(&Detector::Projection) { Vec::from_iter(warning(resolution)) } else { Vec::new() },
+        notes: if detectors.contains(&Detector::Projection) {
+            Vec::from_iter(warning(resolution))
+        } else {
+            Vec::new()
+        },
         ..Report::default()
     };
     Ok(Marked { report, canonical, marks })
@@ -51,7 +55,10 @@ pub fn mark(world: &Cloud, params: &Params, detectors: &[Detector]) -> Result<Ma
 
 fn setting(detector: Detector, marks: &Marks) -> (String, String) {
     let Marks { threshold, separability, .. } = marks;
-    (detector.name(), format!("threshold {threshold:.3} of the greatest score, separability {separability:.2}"))
+    (
+        detector.name(),
+        format!("threshold {threshold:.3} of the greatest score, separability {separability:.2}"),
+    )
 }
 
 impl Marked {

@@ -39,7 +39,8 @@ pub fn otsu(values: &[f32], bins: usize) -> Option<Otsu> {
             last = b;
         }
     }
-    let variance = counts.iter().enumerate().map(|(b, &n)| n as f64 * (centre(b) - mean).powi(2)).sum::<f64>();
+    let variance =
+        counts.iter().enumerate().map(|(b, &n)| n as f64 * (centre(b) - mean).powi(2)).sum::<f64>();
     (best > 0.0).then(|| Otsu {
         threshold: (0.5 * (first + last) as f64 + 1.0) / bins as f64,
         separability: best * total / variance,
@@ -74,8 +75,11 @@ mod tests {
             (0..500).map(|i| if i % 5 == 0 { 0.5 + 0.5 * next() } else { 0.6 * next() }).collect();
         let within = |t: f64| {
             let sides = [true, false].map(|up| {
-                let side: Vec<f64> =
-                    values.iter().map(|&v| (bin(v, 64) as f64 + 0.5) / 64.0).filter(|&c| (c > t) == up).collect();
+                let side: Vec<f64> = values
+                    .iter()
+                    .map(|&v| (bin(v, 64) as f64 + 0.5) / 64.0)
+                    .filter(|&c| (c > t) == up)
+                    .collect();
                 let mean = side.iter().sum::<f64>() / side.len().max(1) as f64;
                 side.iter().map(|x| (x - mean).powi(2)).sum::<f64>()
             });

@@ -82,7 +82,10 @@ mod tests {
         for (x, truth) in found.iter().zip([0.3, -0.1, 0.2, 0.25, -0.4, 0.05]) {
             assert!((x - truth).abs() < 1e-12, "{found:?}");
         }
-        assert!((curvature([0.0, 0.0, 0.0, 0.05, 0.0, 0.05]) - 0.1).abs() < 1e-15, "a paraboloid of radius 10");
+        assert!(
+            (curvature([0.0, 0.0, 0.0, 0.05, 0.0, 0.05]) - 0.1).abs() < 1e-15,
+            "a paraboloid of radius 10"
+        );
         assert!((curvature([0.0, 0.0, 0.0, 0.05, 0.0, -0.05])).abs() < 1e-15, "a saddle");
     }
 
