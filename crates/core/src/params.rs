@@ -7,8 +7,8 @@ mod table;
 mod value;
 
 pub use table::Entry;
-pub use value::{Auto, ParamValue};
 pub(crate) use value::choices;
+pub use value::{Auto, ParamValue};
 
 use crate::Error;
 use table::sections;
