@@ -16,7 +16,7 @@ use crate::detect::fold::CrossSection;
 use crate::detect::marks::Marks;
 use crate::detect::normals::normals;
 use crate::detect::penalty::align::align;
-use crate::detect::penalty::border::border;
+use crate::detect::penalty::border::{border, may_be_border};
 use crate::detect::penalty::robust::{CLEARLY_SMOOTH, Context};
 use crate::detect::penalty::{density, derive};
 use crate::math::vec3::{dot, norm, sub};
@@ -86,7 +86,9 @@ type Candidate = (u32, Option<Row>, Option<Row>);
 fn rows(context: &Context, marks: &Marks) -> Vec<Candidate> {
     let row = |(scratch, section, angles): &mut (Scratch, CrossSection, Vec<f64>), i| {
         let wide = context.graph.hops(i, context.hops.max(2), scratch);
-        let border = border(context.points, i, wide, angles);
+        let border = may_be_border(context.points, i, context.graph.of(i))
+            .then(|| border(context.points, i, wide, context.resolution, angles))
+            .flatten();
         let is_crease = is_candidate(context.graph, marks, i);
         if !is_crease && border.is_none() {
             return None;
