@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use lineament::{Cloud, shapes};
-use lineament_io::{ReadOptions, read};
+use lineament_io::{LasFrame, ReadOptions, read};
 
 use crate::args::Source;
 use crate::failure::{Code, Failure};
@@ -25,6 +25,9 @@ pub struct Input {
     /// File name without folders, `stdin`, or `sample NAME, seed N`.
     pub name: String,
     pub sha256: Option<String>,
+    /// The coordinate reference system, and how a LAS file stores its coordinates, for outputs that are to be like it.
+    pub crs: Option<String>,
+    pub las: Option<LasFrame>,
     /// The name of the format, and the number of bytes; nothing for a generated scan.
     pub format: Option<(String, u64)>,
     /// What is missing from a file that was salvaged.
@@ -128,6 +131,8 @@ fn from_file(path: &Path, name: String, options: &ReadOptions) -> Result<Input, 
     Ok(Input {
         name,
         sha256: scan.sha256,
+        crs: scan.crs,
+        las: scan.las,
         format: Some((scan.format.to_string(), scan.bytes)),
         missing: scan.missing.map(|m| format!("the file ends early: {m}")),
         remarks: scan.ignored,
@@ -142,7 +147,17 @@ fn from_sample(sample: &str, seed: u64, name: String) -> Result<Input, Failure> 
             .advise("`lineament extract --sample list` lists them")
     })?;
     let cloud = (found.make)(seed).cloud;
-    Ok(Input { cloud, name, sha256: None, format: None, missing: None, remarks: Vec::new(), seconds: 0.0 })
+    Ok(Input {
+        cloud,
+        name,
+        sha256: None,
+        crs: None,
+        las: None,
+        format: None,
+        missing: None,
+        remarks: Vec::new(),
+        seconds: 0.0,
+    })
 }
 
 /// Whether the source is the request to list the samples.

@@ -56,7 +56,8 @@ fn one(work: &Work, args: &Classify, origin: &Origin, outputs: &[PathBuf]) -> Re
         input.cloud.attributes.extend((0..Detector::ALL.len()).map(|which| attribute(&every, which)));
     }
     let classes: Vec<u8> = found.classes.into_iter().map(|class| class as u8).collect();
-    let table = PointTable { cloud: &input.cloud, classes: &classes, scores: &found.scores };
+    let table =
+        PointTable { cloud: &input.cloud, classes: &classes, scores: &found.scores, las: input.las.as_ref() };
     for path in outputs {
         outputs::write(path, || write_points(path, &work.inputs, &table))?;
     }
