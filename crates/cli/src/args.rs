@@ -7,6 +7,7 @@ use std::path::PathBuf;
 
 use clap::{ArgAction, Args as ClapArgs, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
+use lineament::detect::baselines::Detector;
 use lineament_io::Format;
 
 /// Feature lines from point clouds: creases, borders and corners as ordered curves.
@@ -77,6 +78,12 @@ pub struct Classify {
     /// times; a folder gets NAME.classes.npy, `{stem}` stands for the input's name, `-` is NPY on standard output
     #[arg(short, long, value_name = "OUT", required = true, value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
+    /// Mark the points by this measure and its threshold alone, without looking for lines; see below
+    #[arg(long, value_name = "NAME", conflicts_with = "method", value_parser = parse::detector)]
+    pub detector: Option<Detector>,
+    /// Write the score of every detector as an attribute of the points (PLY)
+    #[arg(long)]
+    pub scores: bool,
     #[command(flatten)]
     pub work: Work,
 }

@@ -19,12 +19,14 @@ pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> 
     lines
 }
 
-fn points(input: &Input, report: &Report) -> String {
+/// What was read.
+pub fn points(input: &Input, report: &Report) -> String {
     let [read, dropped, merged] = [report.read, report.dropped, report.merged].map(grouped);
     format!("{}: {read} points read, {dropped} not finite, {merged} duplicates", input.name)
 }
 
-fn resolution(report: &Report) -> String {
+/// Spacing and noise.
+pub fn resolution(report: &Report) -> String {
     let share = if report.spacing > 0.0 { report.noise / report.spacing } else { 0.0 };
     format!("spacing {}, noise {} ({share:.2} spacings)", figure(report.spacing), figure(report.noise))
 }

@@ -1,6 +1,6 @@
 //! The pipeline: from a cloud to its feature network.
 
-use crate::detect::penalty;
+use crate::detect::{detect, penalty, projection};
 use crate::frame::{Frame, Localised};
 use crate::link::{link, reach};
 use crate::math::vec3::{cross, norm, sub};
@@ -10,7 +10,7 @@ use crate::network::Network;
 use crate::pattern::Pattern;
 use crate::recover::recover;
 use crate::resolution::Resolution;
-use crate::{Cloud, Error, Params};
+use crate::{Cloud, Error, Method, Params};
 use std::time::Instant;
 
 /// Everything that [`extract`] found, stage by stage.
@@ -62,7 +62,7 @@ pub enum Stage {
     Localise,
     /// Nearest neighbours and the neighbour graph.
     Neighbors,
-    /// Point penalties.
+    /// What every point says of lines.
     Detect,
     /// Patterns.
     Link,
@@ -129,12 +129,13 @@ pub fn extract_observed(
         crate::params::Auto::Auto => resolution,
     };
     let reach = reach(&params.spanning, params.penalty.form, positions.len());
-    let mut measure =
-        clock.run(Stage::Detect, || penalty::penalty(&positions, &graph, resolution, &params.penalty));
+    let mut measure = clock.run(Stage::Detect, || detect(&positions, &graph, resolution, params));
     let pattern = clock.run(Stage::Link, || link(&graph, &measure, resolution, &params.spanning, reach));
     let network = clock.run(Stage::Recover, || recover(&pattern, resolution, &params.spline));
 
-    measure.class = crate::classify::classes(&positions, &network, resolution);
+    if measure.class.is_empty() {
+        measure.class = crate::classify::classes(&positions, &network, resolution);
+    }
     let report = Report {
         read: world.len(),
         dropped,
@@ -144,7 +145,7 @@ pub fn extract_observed(
         noise: frame.length_to_world(resolution.noise),
         stages: clock.stages,
         settings: settings(params, resolution, reach),
-        notes: Vec::new(),
+        notes: notes(params, resolution),
     };
     let network = to_world(network, &frame, &source);
     Ok(Extraction { report, frame, source, canonical, measure, pattern, network })
@@ -184,7 +185,7 @@ impl Clock<'_> {
     }
 }
 
-fn refuse_degenerate(read: usize, positions: &[[f64; 3]]) -> Result<(), Error> {
+pub(crate) fn refuse_degenerate(read: usize, positions: &[[f64; 3]]) -> Result<(), Error> {
     if positions.len() < LEAST_POINTS {
         return Err(Error::TooFewPoints { read, distinct: positions.len(), needed: LEAST_POINTS });
     }
@@ -208,6 +209,13 @@ fn settings(params: &Params, resolution: Resolution, reach: crate::link::Reach) 
             format!("{:.1} {}", reach.rho, if reach.in_edges { "edges" } else { "spacings" }),
         ),
     ]
+}
+
+fn notes(params: &Params, resolution: Resolution) -> Vec<String> {
+    match params.method {
+        Method::Projection => projection::warning(resolution).into_iter().collect(),
+        _ => Vec::new(),
+    }
 }
 
 /// Positions into the world frame, sources into the order of the input.

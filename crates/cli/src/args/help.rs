@@ -41,8 +41,18 @@ Formats by extension:
   .npy                                the classes alone, a byte a point
   .ply .pcd .xyz .csv .las .laz       the points and their attributes, with class and score
 
-Example:
-  lineament classify part.ply -o part.classes.npy -o part.classes.ply";
+Detectors, each with an automatic threshold; a point above it is 1, all others 0:
+  projection            projected distance at each point's best scale (Tran 2013)
+  surface-variation     least eigenvalue over the sum, 16 neighbours (Pauly 2003)
+  mean-curvature        of a quadric fitted to 16 neighbours
+  normal-difference     mean angle to the normals of 16 neighbours
+  multiscale-variation  greatest surface variation of 8 to 32 neighbours
+  persistence           share of these scales at which it is high
+
+Examples:
+  lineament classify part.ply -o part.classes.npy -o part.classes.ply
+  lineament classify part.ply -o sharp.npy --detector projection
+  lineament classify part.ply -o part.scores.ply --scores";
 
 pub const RENDER_HELP: &str = "\
 Creases are red, borders blue, junctions black, corners green, ends pink. What the surface hides is

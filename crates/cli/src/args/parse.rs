@@ -1,11 +1,18 @@
 //! Values of options that are more than a word.
 
+use lineament::detect::baselines::Detector;
 use lineament_io::Format;
 
 /// `KEY=VALUE`.
 pub fn setting(text: &str) -> Result<(String, String), String> {
     let (key, value) = text.split_once('=').ok_or("write KEY=VALUE, such as penalty.gamma=0.4")?;
     Ok((key.trim().into(), value.trim().into()))
+}
+
+/// The name of a detector.
+pub fn detector(text: &str) -> Result<Detector, String> {
+    let names = || Detector::ALL.map(Detector::name).join(", ");
+    Detector::named(text).ok_or_else(|| format!("the detectors are {}", names()))
 }
 
 /// Six numbers, the least corner and the greatest.
