@@ -8,7 +8,7 @@ use std::time::Instant;
 use lineament::{Cloud, shapes};
 use lineament_io::{LasFrame, ReadOptions, read};
 
-use crate::args::Source;
+use crate::args::{Reading, Source};
 use crate::failure::{Code, Failure};
 
 /// One input of the command line.
@@ -93,15 +93,15 @@ impl Origin {
     ///
     /// # Errors
     /// Input if a file cannot be read, usage if there is no such sample, refused if `--strict` says so.
-    pub fn load(&self, source: &Source, options: &ReadOptions) -> Result<Input, Failure> {
+    pub fn load(&self, reading: &Reading, options: &ReadOptions) -> Result<Input, Failure> {
         let start = Instant::now();
-        let options = &ReadOptions { salvage: source.salvage, ..options.clone() };
+        let options = &with_reading(options, reading);
         let input = match self {
             Origin::File(path) => from_file(path, self.name(), options),
             Origin::Stdin => from_file(Path::new("-"), self.name(), options),
             Origin::Sample { name, seed } => from_sample(name, *seed, self.name()),
         }?;
-        if source.strict {
+        if reading.strict {
             self.refuse_non_finite(&input.cloud)?;
         }
         Ok(Input { seconds: start.elapsed().as_secs_f64(), ..input })
@@ -123,6 +123,19 @@ impl Origin {
             Origin::File(path) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
             _ => self.shown(),
         }
+    }
+}
+
+/// The options with what the command line says of reading.
+fn with_reading(options: &ReadOptions, reading: &Reading) -> ReadOptions {
+    ReadOptions {
+        salvage: reading.salvage,
+        memory: reading.memory,
+        scan: reading.scan,
+        voxel: reading.voxel,
+        bounds: reading.bounds,
+        format: reading.input_format,
+        ..options.clone()
     }
 }
 

@@ -48,7 +48,11 @@ fn counts(network: &Network) -> String {
     parts.join(", ")
 }
 
-/// The cells of a table of many inputs.
+/// Heads of the table of many inputs.
+pub const HEADER: [&str; 9] =
+    ["input", "points", "creases", "borders", "loops", "junctions", "corners", "ends", "seconds"];
+
+/// The cells of the table of many inputs, after the name.
 pub fn row(read: usize, network: Option<&Network>, seconds: f64) -> Vec<String> {
     let of_kind = |network: &Network, kind| network.strips.iter().filter(|s| s.kind == kind).count();
     let counts = match network {
