@@ -221,19 +221,30 @@ fn notes(params: &Params, resolution: Resolution) -> Vec<String> {
 /// Positions into the world frame, sources into the order of the input.
 fn to_world(mut network: Network, frame: &Frame, source: &[u32]) -> Network {
     let unit = frame.length_to_world(1.0);
+    let placed = |p: [f64; 3]| frame.to_world(p.map(on_grid));
     for node in &mut network.nodes {
-        node.position = frame.to_world(node.position);
+        node.position = placed(node.position);
         node.source = source[node.source as usize];
     }
     for strip in &mut network.strips {
         for p in &mut strip.points {
-            *p = frame.to_world(*p);
+            *p = placed(*p);
         }
-        strip.curve = strip.curve.mapped(|p| frame.to_world(p), unit);
+        strip.points.dedup();
+        strip.curve = strip.curve.mapped(placed, unit);
         strip.deviation *= unit;
         for s in &mut strip.sources {
             *s = source[*s as usize];
         }
     }
     network
+}
+
+/// Steps of the result's grid in one local unit.
+const GRID_STEPS: f64 = (1_u32 << 24) as f64;
+
+/// A local coordinate on a grid far below the noise of any scan. It leaves bits to add the frame's offset without
+/// rounding, so that a cloud moved by few-bit lengths has its result moved by just those.
+fn on_grid(local: f64) -> f64 {
+    (local * GRID_STEPS).round() / GRID_STEPS
 }
