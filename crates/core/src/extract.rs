@@ -1,7 +1,7 @@
 //! The pipeline: from a cloud to its feature network.
 
 use crate::detect::{detect, penalty, projection};
-use crate::frame::{Frame, Localised};
+use crate::frame::{Frame, Localised, on_grid};
 use crate::link::{link, reach};
 use crate::math::vec3::{cross, norm, sub};
 use crate::measure::{Class, Measure};
@@ -118,6 +118,7 @@ pub fn extract_observed(
     let Localised { frame, positions, source, canonical, dropped, merged } =
         clock.run(Stage::Localise, || Frame::localise(world))?;
     refuse_degenerate(world.len(), &positions)?;
+    refuse_tiny(&frame, &positions)?;
 
     let (resolution, graph) = clock.run(Stage::Neighbors, || {
         let nearest = all_nearest(&positions, params.neighbors.k);
@@ -199,6 +200,19 @@ pub(crate) fn refuse_degenerate(read: usize, positions: &[[f64; 3]]) -> Result<(
     if off_line { Ok(()) } else { Err(Error::Collinear { distinct: positions.len() }) }
 }
 
+/// Spacings below this have squares that vanish in f64.
+const LEAST_SPACING: f64 = 1e-140;
+
+fn refuse_tiny(frame: &Frame, positions: &[[f64; 3]]) -> Result<(), Error> {
+    if frame.scale >= LEAST_SPACING {
+        return Ok(());
+    }
+    let side = |axis: usize| frame.length_to_world(positions.iter().map(|p| p[axis]).fold(0.0, f64::max));
+    let axis = (1..3).fold(0, |best, axis| if side(axis) > side(best) { axis } else { best });
+    let min = frame.offset[axis];
+    Err(Error::Extent { axis, min, max: min + side(axis) })
+}
+
 fn settings(params: &Params, resolution: Resolution, reach: crate::link::Reach) -> Vec<(String, String)> {
     let derived = penalty::derive(&params.penalty, resolution);
     vec![
@@ -238,13 +252,4 @@ fn to_world(mut network: Network, frame: &Frame, source: &[u32]) -> Network {
         }
     }
     network
-}
-
-/// Steps of the result's grid in one local unit.
-const GRID_STEPS: f64 = (1_u32 << 24) as f64;
-
-/// A local coordinate on a grid far below the noise of any scan. It leaves bits to add the frame's offset without
-/// rounding, so that a cloud moved by few-bit lengths has its result moved by just those.
-fn on_grid(local: f64) -> f64 {
-    (local * GRID_STEPS).round() / GRID_STEPS
 }
