@@ -113,10 +113,24 @@ fn normal_equations(
     }
     let differences = if curve.periodic { count } else { count.saturating_sub(2) };
     for i in 0..differences {
-        let terms = [(i, 1.0), ((i + 1) % count, -2.0), ((i + 2) % count, 1.0)];
+        let [first, second] = slopes(curve, i);
+        let terms = [(i, first), ((i + 1) % count, -(first + second)), ((i + 2) % count, second)];
         row(&terms, [0.0; 3], smoothing);
     }
     (matrix, right)
+}
+
+/// What the differences of control points `i`, `i + 1` and `i + 1`, `i + 2` count in a second difference: the inverse of their
+/// distance in parameter, relative to a span, so that the controls of a straight line have none.
+fn slopes(curve: &BSpline, i: usize) -> [f64; 2] {
+    if curve.periodic {
+        return [1.0; 2];
+    }
+    // The parameter that a control point stands for: the mean of the knots under it (Greville).
+    let abscissa = |c: usize| curve.knots[c + 1..=c + curve.degree].iter().sum::<f64>() / curve.degree as f64;
+    let (from, to) = curve.domain();
+    let span = (to - from) / (curve.controls.len() - curve.degree) as f64;
+    [0, 1].map(|k| span / (abscissa(i + k + 1) - abscissa(i + k)).max(1e-9 * span))
 }
 
 /// The first column of each row: a band of three, and full last rows when periodic.

@@ -9,6 +9,8 @@ use super::vec3::{cross, dot, scale};
 
 /// Steps after which only an iteration towards a double root, whose vector is anything, is not yet at rest.
 const STEPS: usize = 16;
+/// Last step of an iteration that has come to rest.
+const AT_REST: f64 = 1e-9;
 /// Product of the gaps to the other eigenvalues, of a trace of one, below which the cross products say too little.
 const LEAST_GAP: f64 = 1e-10;
 
@@ -23,7 +25,7 @@ pub fn least_axis(m: &Symmetric3) -> (f64, [f64; 3]) {
     let minors = [d * f - e * e, a * f - c * c, a * d - b * b];
     let sum = minors[0] + minors[1] + minors[2];
     let determinant = a * minors[0] - b * (b * f - c * e) + c * (b * e - c * d);
-    let mut x = 0.0;
+    let (mut x, mut last) = (0.0, f64::INFINITY);
     for _ in 0..STEPS {
         let value = ((x - 1.0) * x + sum) * x - determinant;
         let slope = (3.0 * x - 2.0) * x + sum;
@@ -32,6 +34,7 @@ pub fn least_axis(m: &Symmetric3) -> (f64, [f64; 3]) {
         }
         let step = value / slope;
         x -= step;
+        last = step.abs();
         if step.abs() <= 1e-16 {
             break;
         }
@@ -41,7 +44,7 @@ pub fn least_axis(m: &Symmetric3) -> (f64, [f64; 3]) {
     let squares = crosses.map(|v| dot(v, v));
     let most = if squares[0] >= squares[1] { 0 } else { 1 };
     let most = if squares[most] >= squares[2] { most } else { 2 };
-    if squares[most] < LEAST_GAP * LEAST_GAP {
+    if squares[most] < LEAST_GAP * LEAST_GAP || last > AT_REST {
         let all = eigen3(m);
         return (all.values[0].max(0.0), all.vectors[0]);
     }
