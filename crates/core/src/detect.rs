@@ -5,4 +5,5 @@ pub mod fold;
 pub mod normals;
 pub mod open_angle;
 pub mod penalty;
+pub mod segments;
 pub mod tensor;
