@@ -210,7 +210,7 @@ fn segmented(
         }
         SegmentForm::Robust => {
             let segmented = steps::robust(positions, graph, resolution, params, measure);
-            let linked = link_robust(graph, measure, &segmented.segments, resolution, reach);
+            let linked = link_robust(positions, graph, measure, &segmented.segments, resolution, reach);
             (segmented, linked)
         }
     };

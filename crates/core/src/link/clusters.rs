@@ -8,6 +8,7 @@ mod branches;
 mod connect;
 mod extend;
 mod forest;
+mod ground;
 mod group;
 mod open;
 mod paper;

@@ -17,13 +17,14 @@ const TOGETHER: f64 = 0.6;
 /// Longest edge of `G_all` between feet, spacings.
 const EDGE: f64 = 2.0;
 
-/// Groups the candidates, the least penalty first, and joins groups of neighbouring points.
+/// Groups the candidates, the least penalty first, and joins groups of neighbouring points. Also gives the
+/// cluster of each candidate.
 pub fn group(
     graph: &Neighbors,
     penalties: &Penalties,
     segments: &Segmentation,
     resolution: Resolution,
-) -> Clusters {
+) -> (Clusters, Vec<u32>) {
     let groups = groups(graph, penalties, TOGETHER * resolution.spacing);
     let mut of_candidate = vec![0u32; penalties.len()];
     for (g, members) in groups.iter().enumerate() {
@@ -44,7 +45,7 @@ pub fn group(
             }
         }
     }
-    clusters
+    (clusters, of_candidate)
 }
 
 /// Candidates of each group, its first the one that it grew from; groups in the order of those.

@@ -11,10 +11,10 @@ use crate::resolution::Resolution;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Longest way through weak clusters, spacings.
-const LONGEST: f64 = 20.0;
-/// A path within the lines this many times as long as the way itself makes no small cycle.
-const DETOUR: f64 = 3.0;
+/// Longest way through weak clusters, spacings, in rounds: short ways first, as they may make long ones needless.
+const LONGEST: [f64; 4] = [4.0, 10.0, 20.0, 40.0];
+/// A path within the lines this many times as long as the way itself, and some spacings more, makes no small cycle.
+const DETOUR: (f64, f64) = (2.0, 4.0);
 
 /// Lengths in millionths of a spacing, so that they have a total order and equal ones go by index.
 type Length = u64;
@@ -22,14 +22,17 @@ type Length = u64;
 /// Closes what it can; `all` is `G_extended` on the same vertices, of which `lines` may have some more at the end.
 pub fn reroute(lines: &mut LineGraph, all: &LineGraph, anchored: &[bool], resolution: Resolution, reach: Reach) {
     let mut walker = Walker::new(lines.edges.len(), resolution, reach);
-    let ends: Vec<u32> = (0..all.edges.len() as u32).filter(|&v| lines.edges[v as usize].len() == 1).collect();
-    for end in ends {
-        if lines.edges[end as usize].len() != 1 || anchored.get(end as usize) == Some(&true) {
-            continue;
-        }
-        if let Some(path) = way(lines, all, end, resolution, reach, &mut walker) {
-            for pair in path.windows(2) {
-                lines.add_edge(pair[0], pair[1]);
+    for longest in LONGEST {
+        let ends: Vec<u32> =
+            (0..all.edges.len() as u32).filter(|&v| lines.edges[v as usize].len() == 1).collect();
+        for end in ends {
+            if lines.edges[end as usize].len() != 1 || anchored.get(end as usize) == Some(&true) {
+                continue;
+            }
+            if let Some(path) = way(lines, all, end, resolution, longest, &mut walker) {
+                for pair in path.windows(2) {
+                    lines.add_edge(pair[0], pair[1]);
+                }
             }
         }
     }
@@ -41,7 +44,7 @@ fn way(
     all: &LineGraph,
     end: u32,
     resolution: Resolution,
-    reach: Reach,
+    longest: f64,
     walker: &mut Walker,
 ) -> Option<Vec<u32>> {
     let mut heap: BinaryHeap<(Reverse<Length>, Reverse<u32>)> = BinaryHeap::from([(Reverse(0), Reverse(end))]);
@@ -52,7 +55,7 @@ fn way(
             continue;
         }
         if v != end && !lines.edges[v as usize].is_empty() {
-            let least = (DETOUR * length as f64 * 1e-6).max(reach.rho);
+            let least = DETOUR.0 * length as f64 * 1e-6 + DETOUR.1;
             if walker.path(lines, end, v, least).is_none() {
                 return Some(trace(&known, end, v));
             }
@@ -62,7 +65,7 @@ fn way(
             let step = distance(all.positions[v as usize], all.positions[next as usize]) / resolution.spacing;
             // Two short steps rather than one long: the way keeps to the clusters.
             let total = length + ((step * step).max(0.3 * step) * 1e6) as Length;
-            if total as f64 > LONGEST * 1e6 {
+            if total as f64 > longest * 1e6 {
                 continue;
             }
             match known.iter_mut().find(|k| k.0 == next) {

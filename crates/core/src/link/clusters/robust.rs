@@ -10,6 +10,7 @@
 //! * **Borders** go through the same steps before the creases are closed, and creases end on them.
 
 use super::extend::extend;
+use super::ground::{ground, take_vertices};
 use super::group::group;
 use super::open::remove_open;
 use super::reroute::reroute;
@@ -32,19 +33,21 @@ const ON_BORDER: [(f64, f64); 2] = [(1.5, 180.0), (4.0, 50.0)];
 
 /// Closed lines of a measure with candidates of both kinds.
 pub fn link_robust(
+    points: &[[f64; 3]],
     graph: &Neighbors,
     measure: &Measure,
     segments: &Segmentation,
     resolution: Resolution,
     reach: Reach,
 ) -> Linked {
-    let border = close(graph, &measure.border, segments, resolution, reach, None, &mut Recorder::new());
+    let border = close(points, graph, &measure.border, segments, resolution, reach, None, &mut Recorder::new());
     let mut recorder = Recorder::new();
-    let crease = close(graph, &measure.crease, segments, resolution, reach, Some(&border), &mut recorder);
+    let crease = close(points, graph, &measure.crease, segments, resolution, reach, Some(&border), &mut recorder);
     Linked { pattern: Pattern { crease, border }, stages: recorder.stages }
 }
 
 fn close(
+    points: &[[f64; 3]],
     graph: &Neighbors,
     penalties: &Penalties,
     segments: &Segmentation,
@@ -53,7 +56,7 @@ fn close(
     border: Option<&LineGraph>,
     recorder: &mut Recorder,
 ) -> LineGraph {
-    let mut clusters = group(graph, penalties, segments, resolution);
+    let (mut clusters, cluster_of) = group(graph, penalties, segments, resolution);
     recorder.whole("G_all", &clusters);
     extend(&mut clusters, EXTEND * resolution.spacing);
     recorder.whole("G_extended", &clusters);
@@ -62,11 +65,16 @@ fn close(
     prune(&mut lines, resolution, reach);
     judge(&mut lines, resolution, reach);
     recorder.lines("G_pruned_branches", &lines);
+    let all = match border {
+        Some(_) => ground(&clusters, &cluster_of, points, graph, penalties, segments, resolution),
+        None => clusters.lines,
+    };
+    take_vertices(&mut lines, &all);
     let mut anchored = border.map(|b| anchor(&mut lines, b, resolution)).unwrap_or_default();
     bridge(&mut lines, resolution);
     let mut fixed = vec![false; lines.edges.len()];
     anchored.iter().for_each(|&v| fixed[v as usize] = true);
-    reroute(&mut lines, &clusters.lines, &fixed, resolution, reach);
+    reroute(&mut lines, &all, &fixed, resolution, reach);
     if let Some(border) = border {
         anchored.extend(anchor(&mut lines, border, resolution));
     }
