@@ -31,11 +31,20 @@ pub struct Segmentation {
 impl Segmentation {
     /// Grows clusters over `rings` while normals differ by no more than `angle` radians. Large is what exceeds the mean
     /// size (section 2.3) and `least` points.
-    pub fn grow(rings: &Neighbors, normals: &[[f32; 3]], angle: f64, least: u32) -> Segmentation {
+    ///
+    /// Points that `sharp` names join nothing: each stays a small cluster.
+    pub fn grow(
+        rings: &Neighbors,
+        normals: &[[f32; 3]],
+        angle: f64,
+        least: u32,
+        sharp: impl Fn(usize) -> bool,
+    ) -> Segmentation {
         let cosine = angle.cos();
         let mut sets = UnionFind::new(normals.len());
-        for i in 0..normals.len() {
-            for &j in rings.of(i) {
+        let smooth: Vec<bool> = (0..normals.len()).map(|i| !sharp(i)).collect();
+        for i in (0..normals.len()).filter(|&i| smooth[i]) {
+            for &j in rings.of(i).iter().filter(|&&j| smooth[j as usize]) {
                 if dot(normals[i].map(f64::from), normals[j as usize].map(f64::from)).abs() >= cosine {
                     sets.union(i as u32, j);
                 }

@@ -21,6 +21,7 @@ pub use forest::forest;
 pub use paper::link_paper;
 pub use robust::link_robust;
 
+use crate::link::Candidate;
 use crate::pattern::{LineGraph, Pattern};
 use std::time::Instant;
 
@@ -29,6 +30,8 @@ use std::time::Instant;
 pub struct Clusters {
     /// One vertex a small cluster; its edges are those of the stage.
     pub lines: LineGraph,
+    /// Edges with their weights, where these are more than lengths; ascending, and a pair may stand several times.
+    pub weights: Vec<Candidate>,
     /// `(V)` the large clusters that each touches, ascending.
     pub large: Vec<Vec<u32>>,
     /// Number of large clusters.

@@ -12,6 +12,10 @@ const ANGLE_DEG: f64 = 8.0;
 /// A face has at least this many points (robust form).
 const LEAST_FACE: u32 = 12;
 
+/// Score from which on a point belongs to a fold and not to a face (robust form): single linkage would need only one point
+/// with a normal in between to run from face to face.
+const SHARP: f32 = 0.5;
+
 /// A segmented cloud.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Segmented {
@@ -30,7 +34,7 @@ pub fn paper(points: &[[f64; 3]], params: &SegmentParams, measure: &mut Measure)
     let neighbors = start.elapsed().as_secs_f64();
     let (rings, normals) = one_rings(points, &nearest);
     let ringed = start.elapsed().as_secs_f64();
-    let segments = Segmentation::grow(&rings, &normals, params.angle_deg.or(|| ANGLE_DEG).to_radians(), 1);
+    let segments = Segmentation::grow(&rings, &normals, params.angle_deg.or(|| ANGLE_DEG).to_radians(), 1, |_| false);
     let grown = start.elapsed().as_secs_f64();
     measure.normal = normals;
     measure.score = segments.label.iter().map(|&c| if segments.large[c as usize] { 0.0 } else { 1.0 }).collect();
@@ -51,7 +55,9 @@ pub fn robust(
     measure: &Measure,
 ) -> Segmented {
     let start = Instant::now();
-    let segments = Segmentation::grow(graph, &measure.normal, angle(params, resolution).to_radians(), LEAST_FACE);
+    let sharp = |i: usize| measure.score[i] > SHARP;
+    let radians = angle(params, resolution).to_radians();
+    let segments = Segmentation::grow(graph, &measure.normal, radians, LEAST_FACE, sharp);
     let segments = absorb(segments, points, &measure.normal, graph);
     Segmented { segments, rings: Neighbors::default(), seconds: vec![("segments", start.elapsed().as_secs_f64())] }
 }

@@ -2,12 +2,16 @@
 
 use crate::link::Reach;
 use crate::link::walk::Walker;
+use crate::math::vec3::distance;
 use crate::neighbors::{Index, all_nearest};
 use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
 /// Bounds of `n` where it follows from the graph.
 const NEIGHBORS: [usize; 2] = [6, 32];
+
+/// A cycle over a link is small if the rest of it is no longer than this many gaps and spacings (robust form).
+const SMALL_CYCLE: (f64, f64) = (2.0, 4.0);
 
 /// Links each endpoint: to the closest endpoint among its `n` nearest vertices (case 1), or, where there is none, to the
 /// closest vertex with more than one edge (case 2), if no path of up to `d` edges joins them already.
@@ -35,6 +39,55 @@ pub fn connect(lines: &mut LineGraph, resolution: Resolution, n: usize, d: usize
             lines.add_edge(end, target);
         }
     }
+}
+
+/// The robust form's last links: each endpoint to the closest endpoint within `reach`, else to the closest other vertex, if the
+/// strip that leads up to the gap is longer than the gap and no short path joins them already.
+pub fn connect_within(lines: &mut LineGraph, fixed: &[bool], reach: f64, walker: &mut Walker, spacing: f64) {
+    let members: Vec<u32> = (0..lines.edges.len() as u32).filter(|&v| degree(lines, v) > 0).collect();
+    let positions: Vec<[f64; 3]> = members.iter().map(|&v| lines.positions[v as usize]).collect();
+    if positions.is_empty() {
+        return;
+    }
+    let index = Index::build(&positions);
+    let mut found = Vec::new();
+    let mut links: Vec<(bool, f64, u32, u32)> = Vec::new();
+    for &end in members.iter().filter(|&&v| degree(lines, v) == 1 && fixed.get(v as usize) != Some(&true)) {
+        index.within(lines.positions[end as usize], reach.min(strip_length(lines, end)), &mut found);
+        for f in &found {
+            let v = members[f.index as usize];
+            if v != end && fixed.get(v as usize) != Some(&true) {
+                links.push((degree(lines, v) > 1, f.distance2.sqrt(), end, v));
+            }
+        }
+    }
+    links.sort_unstable_by(|a, b| {
+        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then((a.2, a.3).cmp(&(b.2, b.3)))
+    });
+    for (_, gap, end, v) in links {
+        if degree(lines, end) == 1
+            && degree(lines, v) > 0
+            && walker.path(lines, end, v, SMALL_CYCLE.0 * gap / spacing + SMALL_CYCLE.1).is_none()
+        {
+            lines.add_edge(end, v);
+        }
+    }
+}
+
+/// Length from an endpoint to the next vertex that is not within a strip.
+fn strip_length(lines: &LineGraph, end: u32) -> f64 {
+    let (mut before, mut at) = (end, lines.edges[end as usize][0]);
+    let step = |a: u32, b: u32| distance(lines.positions[a as usize], lines.positions[b as usize]);
+    let mut length = step(before, at);
+    while let [a, b] = *lines.edges[at as usize].as_slice() {
+        let next = if a == before { b } else { a };
+        (before, at) = (at, next);
+        length += step(before, at);
+        if at == end {
+            break;
+        }
+    }
+    length
 }
 
 /// `n` from the graph: as many vertices as an endpoint has within `reach`, the longest gap that the segmentation itself has

@@ -6,12 +6,13 @@ use crate::neighbors::Index;
 
 /// Joins small clusters that share two large ones and are no farther apart than `reach`.
 ///
-/// The paper's `reach` is the longest edge of `G_all` between small clusters: see [`longest`].
-pub fn extend(clusters: &mut Clusters, reach: f64) {
+/// Gives the pairs added. The paper's `reach` is the longest edge of `G_all` between small clusters: see [`longest`].
+pub fn extend(clusters: &mut Clusters, reach: f64) -> Vec<(u32, u32)> {
     let Clusters { lines, large, .. } = clusters;
     if lines.positions.is_empty() || reach <= 0.0 {
-        return;
+        return Vec::new();
     }
+    let mut added = Vec::new();
     let index = Index::build(&lines.positions);
     let mut found = Vec::new();
     for a in 0..lines.positions.len() {
@@ -22,9 +23,11 @@ pub fn extend(clusters: &mut Clusters, reach: f64) {
         for b in found.iter().map(|f| f.index as usize).filter(|&b| b > a) {
             if shared(&large[a], &large[b]) >= 2 && !lines.edges[a].contains(&(b as u32)) {
                 lines.add_edge(a as u32, b as u32);
+                added.push((a as u32, b as u32));
             }
         }
     }
+    added
 }
 
 /// The longest edge; zero without any.

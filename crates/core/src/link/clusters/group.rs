@@ -6,6 +6,7 @@
 
 use super::Clusters;
 use crate::detect::segments::Segmentation;
+use crate::link::Candidate;
 use crate::math::vec3::{add_scaled, distance};
 use crate::measure::Penalties;
 use crate::neighbors::{Neighbors, riemannian::Scratch};
@@ -17,11 +18,12 @@ const TOGETHER: f64 = 0.6;
 /// Longest edge of `G_all` between feet, spacings.
 const EDGE: f64 = 2.0;
 
-/// Groups the candidates, the least penalty first, and joins groups of neighbouring points. Also gives the
+/// Groups the candidates, the least penalty first, and joins groups by `edges` between their candidates. Also gives the
 /// cluster of each candidate.
 pub fn group(
     graph: &Neighbors,
     penalties: &Penalties,
+    edges: &[Candidate],
     segments: &Segmentation,
     resolution: Resolution,
 ) -> (Clusters, Vec<u32>) {
@@ -34,15 +36,14 @@ pub fn group(
     for members in &groups {
         push(&mut clusters, graph, penalties, segments, members);
     }
-    let limit = EDGE * resolution.spacing;
-    for (c, &point) in penalties.points.iter().enumerate() {
-        for other in graph.of(point as usize).iter().filter(|&&j| j > point) {
-            let Ok(d) = penalties.points.binary_search(other) else { continue };
-            let (a, b) = (of_candidate[c], of_candidate[d]);
-            let positions = &clusters.lines.positions;
-            if a != b && distance(positions[a as usize], positions[b as usize]) <= limit {
-                clusters.lines.add_edge(a, b);
-            }
+    for edge in edges {
+        let (a, b) = (of_candidate[edge.a as usize], of_candidate[edge.b as usize]);
+        let positions = &clusters.lines.positions;
+        let apart = distance(positions[a as usize], positions[b as usize]) / resolution.spacing;
+        if a != b && apart <= EDGE {
+            clusters.lines.add_edge(a, b);
+            let weight = edge.weight.max(apart * apart);
+            clusters.weights.push(Candidate { weight, a: a.min(b), b: a.max(b) });
         }
     }
     (clusters, of_candidate)

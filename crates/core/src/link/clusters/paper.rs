@@ -3,6 +3,7 @@
 use super::branches::prune_branches;
 use super::connect::{connect, neighbors_in_reach};
 use super::extend::longest;
+use super::forest::by_length;
 use super::open::remove_open;
 use super::smooth::smooth;
 use super::{Clusters, Linked, Recorder, extend, forest};
@@ -30,7 +31,7 @@ pub fn link_paper(
     let reach = longest(&clusters);
     extend(&mut clusters, reach);
     recorder.whole("G_extended", &clusters);
-    let mut lines = forest(&clusters.lines, None);
+    let mut lines = forest(&clusters.lines, &by_length(&clusters.lines), None);
     recorder.lines("G_pruned_mst", &lines);
     prune_branches(&mut lines, resolution, params.branch);
     recorder.lines("G_pruned_branches", &lines);
@@ -86,6 +87,7 @@ fn all_clusters(points: &[[f64; 3]], rings: &Neighbors, segments: &Segmentation)
             edges: vec![Vec::new(); small.len()],
         },
         large: vec![Vec::new(); small.len()],
+        weights: Vec::new(),
         large_count: count - small.len(),
         large_pairs: 0,
     };

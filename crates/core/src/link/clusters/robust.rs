@@ -9,7 +9,9 @@
 //!   in place of the sphere), then through clusters that the pruning left out.
 //! * **Borders** go through the same steps before the creases are closed, and creases end on them.
 
+use super::connect::connect_within;
 use super::extend::extend;
+use super::forest::sort;
 use super::ground::{ground, take_vertices};
 use super::group::group;
 use super::open::remove_open;
@@ -17,7 +19,8 @@ use super::reroute::reroute;
 use super::smooth::smooth;
 use super::{Linked, Recorder, forest};
 use crate::detect::segments::Segmentation;
-use crate::link::{Reach, bridge, judge, prune};
+use crate::link::walk::Walker;
+use crate::link::{Candidate, Reach, bridge, candidate_edges, judge, prune};
 use crate::math::vec3::{distance, dot, sub, unit};
 use crate::measure::{Measure, Penalties};
 use crate::neighbors::{Index, Neighbors};
@@ -26,6 +29,10 @@ use crate::resolution::Resolution;
 
 /// Gaps between clusters of one pair of faces that are closed at once, spacings.
 const EXTEND: f64 = 2.5;
+/// What an edge of `G_extended` weighs more than one of `G_all`.
+const ADDED: f64 = 2.0;
+/// Gaps closed at last by the shortest link whatever its direction, spacings.
+const LAST_LINKS: [f64; 3] = [3.0, 6.0, 10.0];
 /// Steps of smoothing.
 const SMOOTHING: usize = 2;
 /// How near to a border a crease must come to end on it, spacings, and how far aside the border may lie, degrees.
@@ -40,15 +47,16 @@ pub fn link_robust(
     resolution: Resolution,
     reach: Reach,
 ) -> Linked {
-    let border = close(points, graph, &measure.border, segments, resolution, reach, None, &mut Recorder::new());
+    let border = close(points, graph, measure, &measure.border, segments, resolution, reach, None, &mut Recorder::new());
     let mut recorder = Recorder::new();
-    let crease = close(points, graph, &measure.crease, segments, resolution, reach, Some(&border), &mut recorder);
+    let crease = close(points, graph, measure, &measure.crease, segments, resolution, reach, Some(&border), &mut recorder);
     Linked { pattern: Pattern { crease, border }, stages: recorder.stages }
 }
 
 fn close(
     points: &[[f64; 3]],
     graph: &Neighbors,
+    measure: &Measure,
     penalties: &Penalties,
     segments: &Segmentation,
     resolution: Resolution,
@@ -56,11 +64,22 @@ fn close(
     border: Option<&LineGraph>,
     recorder: &mut Recorder,
 ) -> LineGraph {
-    let (mut clusters, cluster_of) = group(graph, penalties, segments, resolution);
+    let (mut clusters, cluster_of) = group(
+        graph,
+        penalties,
+        &candidate_edges(graph, measure, penalties, resolution, 1.0),
+        segments,
+        resolution,
+    );
     recorder.whole("G_all", &clusters);
-    extend(&mut clusters, EXTEND * resolution.spacing);
+    for (a, b) in extend(&mut clusters, EXTEND * resolution.spacing) {
+        let positions = &clusters.lines.positions;
+        let length = distance(positions[a as usize], positions[b as usize]) / resolution.spacing;
+        clusters.weights.push(Candidate { weight: ADDED + length * length, a, b });
+    }
+    sort(&mut clusters.weights);
     recorder.whole("G_extended", &clusters);
-    let mut lines = forest(&clusters.lines, Some((resolution, reach)));
+    let mut lines = forest(&clusters.lines, &clusters.weights, Some((resolution, reach)));
     recorder.lines("G_pruned_mst", &lines);
     prune(&mut lines, resolution, reach);
     judge(&mut lines, resolution, reach);
@@ -75,8 +94,22 @@ fn close(
     let mut fixed = vec![false; lines.edges.len()];
     anchored.iter().for_each(|&v| fixed[v as usize] = true);
     reroute(&mut lines, &all, &fixed, resolution, reach);
+    let mut walker = Walker::new(lines.edges.len(), resolution, reach);
+    for gap in LAST_LINKS {
+        connect_within(&mut lines, &fixed, gap * resolution.spacing, &mut walker, resolution.spacing);
+    }
     if let Some(border) = border {
         anchored.extend(anchor(&mut lines, border, resolution));
+    }
+    if std::env::var("DEMDBG").is_ok() {
+        let mut sizes: Vec<u32> = segments.size.iter().zip(&segments.large).filter(|x| *x.1).map(|x| *x.0).collect();
+        sizes.sort();
+        eprintln!("LARGE {} {:?}", sizes.len(), &sizes[sizes.len().saturating_sub(40)..]);
+        for v in 0..lines.edges.len() {
+            if lines.edges[v].len() == 1 {
+                eprintln!("END {v} {:?} anchored {}", lines.positions[v], anchored.contains(&(v as u32)));
+            }
+        }
     }
     remove_open(&mut lines, &anchored);
     recorder.lines("G_closed", &lines);
