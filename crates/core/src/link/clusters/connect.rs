@@ -13,6 +13,12 @@ const NEIGHBORS: [usize; 2] = [6, 32];
 /// A cycle over a link is small if the rest of it is no longer than this many gaps and spacings (robust form).
 const SMALL_CYCLE: (f64, f64) = (2.0, 4.0);
 
+/// A gap is closed if the strip up to it is longer than this many gaps and spacings more.
+const LEAD: f64 = 2.0;
+const LEAST_STRIP: f64 = 4.0;
+/// Gap up to which an endpoint may be linked to the middle of a strip, spacings.
+const INTO: f64 = 3.0;
+
 /// Links each endpoint: to the closest endpoint among its `n` nearest vertices (case 1), or, where there is none, to the
 /// closest vertex with more than one edge (case 2), if no path of up to `d` edges joins them already.
 ///
@@ -53,10 +59,15 @@ pub fn connect_within(lines: &mut LineGraph, fixed: &[bool], reach: f64, walker:
     let mut found = Vec::new();
     let mut links: Vec<(bool, f64, u32, u32)> = Vec::new();
     for &end in members.iter().filter(|&&v| degree(lines, v) == 1 && fixed.get(v as usize) != Some(&true)) {
-        index.within(lines.positions[end as usize], reach.min(strip_length(lines, end)), &mut found);
+        let reach = reach.min((strip_length(lines, end) - LEAST_STRIP * spacing) / LEAD);
+        if reach <= 0.0 {
+            continue;
+        }
+        index.within(lines.positions[end as usize], reach, &mut found);
         for f in &found {
             let v = members[f.index as usize];
-            if v != end && fixed.get(v as usize) != Some(&true) {
+            let loose = degree(lines, v) == 1;
+            if v != end && fixed.get(v as usize) != Some(&true) && (loose || f.distance2.sqrt() <= INTO * spacing) {
                 links.push((degree(lines, v) > 1, f.distance2.sqrt(), end, v));
             }
         }
@@ -75,7 +86,7 @@ pub fn connect_within(lines: &mut LineGraph, fixed: &[bool], reach: f64, walker:
 }
 
 /// Length from an endpoint to the next vertex that is not within a strip.
-fn strip_length(lines: &LineGraph, end: u32) -> f64 {
+pub fn strip_length(lines: &LineGraph, end: u32) -> f64 {
     let (mut before, mut at) = (end, lines.edges[end as usize][0]);
     let step = |a: u32, b: u32| distance(lines.positions[a as usize], lines.positions[b as usize]);
     let mut length = step(before, at);

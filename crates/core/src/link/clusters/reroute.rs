@@ -3,6 +3,7 @@
 //! The paper links an endpoint by one straight edge. Where a fold fades for longer than that, the small clusters still show
 //! the way: the shortest path through `G_extended` that comes back to the lines, without making a small cycle.
 
+use super::connect::strip_length;
 use crate::link::Reach;
 use crate::link::walk::Walker;
 use crate::math::vec3::distance;
@@ -12,7 +13,8 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// Longest way through weak clusters, spacings, in rounds: short ways first, as they may make long ones needless.
-const LONGEST: [f64; 4] = [4.0, 10.0, 20.0, 40.0];
+/// A way is no longer than the strip that leads up to it.
+const LONGEST: [f64; 3] = [4.0, 10.0, 20.0];
 /// A path within the lines this many times as long as the way itself, and some spacings more, makes no small cycle.
 const DETOUR: (f64, f64) = (2.0, 4.0);
 
@@ -29,7 +31,8 @@ pub fn reroute(lines: &mut LineGraph, all: &LineGraph, anchored: &[bool], resolu
             if lines.edges[end as usize].len() != 1 || anchored.get(end as usize) == Some(&true) {
                 continue;
             }
-            if let Some(path) = way(lines, all, end, resolution, longest, &mut walker) {
+            let lead = strip_length(lines, end) / resolution.spacing;
+            if let Some(path) = way(lines, all, end, resolution, longest.min(lead), &mut walker) {
                 for pair in path.windows(2) {
                     lines.add_edge(pair[0], pair[1]);
                 }
