@@ -99,3 +99,6 @@ impl Recorder {
         self.start = Instant::now();
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -69,10 +69,3 @@ pub fn angle(params: &SegmentParams, resolution: Resolution) -> f64 {
         SegmentForm::Robust => ANGLE_DEG * (1.0 + (2.0 * resolution.noise / resolution.spacing).min(1.0)),
     })
 }
-
-/// Whether the clusters say that the cloud is too noisy for the angle: no large cluster holds a hundredth of the points, so
-/// that there are small clusters without large ones (section 3).
-pub fn too_noisy(segments: &Segmentation) -> bool {
-    let greatest = segments.size.iter().copied().max().unwrap_or(0);
-    (greatest as usize) < segments.label.len() / 100
-}

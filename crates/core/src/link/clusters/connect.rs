@@ -14,10 +14,9 @@ const NEIGHBORS: [usize; 2] = [6, 32];
 const SMALL_CYCLE: (f64, f64) = (2.0, 4.0);
 
 /// A gap is closed if the strip up to it is longer than this many gaps and spacings more.
-const LEAD: f64 = 2.0;
+const LEAD: f64 = 1.5;
+/// See [`LEAD`].
 const LEAST_STRIP: f64 = 4.0;
-/// Gap up to which an endpoint may be linked to the middle of a strip, spacings.
-const INTO: f64 = 3.0;
 
 /// Links each endpoint: to the closest endpoint among its `n` nearest vertices (case 1), or, where there is none, to the
 /// closest vertex with more than one edge (case 2), if no path of up to `d` edges joins them already.
@@ -66,8 +65,7 @@ pub fn connect_within(lines: &mut LineGraph, fixed: &[bool], reach: f64, walker:
         index.within(lines.positions[end as usize], reach, &mut found);
         for f in &found {
             let v = members[f.index as usize];
-            let loose = degree(lines, v) == 1;
-            if v != end && fixed.get(v as usize) != Some(&true) && (loose || f.distance2.sqrt() <= INTO * spacing) {
+            if v != end && fixed.get(v as usize) != Some(&true) {
                 links.push((degree(lines, v) > 1, f.distance2.sqrt(), end, v));
             }
         }

@@ -101,16 +101,6 @@ fn close(
     if let Some(border) = border {
         anchored.extend(anchor(&mut lines, border, resolution));
     }
-    if std::env::var("DEMDBG").is_ok() {
-        let mut sizes: Vec<u32> = segments.size.iter().zip(&segments.large).filter(|x| *x.1).map(|x| *x.0).collect();
-        sizes.sort();
-        eprintln!("LARGE {} {:?}", sizes.len(), &sizes[sizes.len().saturating_sub(40)..]);
-        for v in 0..lines.edges.len() {
-            if lines.edges[v].len() == 1 {
-                eprintln!("END {v} {:?} anchored {}", lines.positions[v], anchored.contains(&(v as u32)));
-            }
-        }
-    }
     remove_open(&mut lines, &anchored);
     recorder.lines("G_closed", &lines);
     smooth(&mut lines, SMOOTHING);
