@@ -31,7 +31,10 @@ fn main() -> Result<(), lineament::Error> {
             for graph in &clusters.graphs {
                 let ends = graph.lines.edges.iter().filter(|e| e.len() == 1).count();
                 let (vertices, edges) = (graph.vertices, graph.edges);
-                println!("  {:18} {vertices:6} V {edges:6} E {ends:5} ends {:.3} s", graph.name, graph.seconds);
+                println!(
+                    "  {:18} {vertices:6} V {edges:6} E {ends:5} ends {:.3} s",
+                    graph.name, graph.seconds
+                );
             }
             println!("  strips {}, loops {}", result.network.strips.len(), result.network.loops());
         }

@@ -79,7 +79,7 @@ impl Segmentation {
 
     /// The number of small clusters.
     pub fn small_count(&self) -> usize {
-        self.large.len() - self.large_count()
+        self.size.iter().zip(&self.large).filter(|(s, large)| **s > 0 && !**large).count()
     }
 
     /// Mean number of points of the small clusters; zero without any.

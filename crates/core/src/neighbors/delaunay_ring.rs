@@ -163,7 +163,9 @@ mod tests {
             (0..400).map(|_| [rng.between(0.0, 20.0), rng.between(0.0, 20.0), 0.0]).collect();
         let (rings, _) = one_rings(&points, &all_nearest(&points, 30));
         let mut seen = 0;
-        for (i, p) in points.iter().enumerate().filter(|(_, p)| p[..2].iter().all(|x| (5.0..15.0).contains(x))) {
+        for (i, p) in
+            points.iter().enumerate().filter(|(_, p)| p[..2].iter().all(|x| (5.0..15.0).contains(x)))
+        {
             for j in 0..points.len() as u32 {
                 let near = sub(points[j as usize], *p);
                 if j as usize == i || dot(near, near) > 1.5 {

@@ -34,15 +34,20 @@ pub fn paper(points: &[[f64; 3]], params: &SegmentParams, measure: &mut Measure)
     let neighbors = start.elapsed().as_secs_f64();
     let (rings, normals) = one_rings(points, &nearest);
     let ringed = start.elapsed().as_secs_f64();
-    let segments = Segmentation::grow(&rings, &normals, params.angle_deg.or(|| ANGLE_DEG).to_radians(), 1, |_| false);
+    let segments =
+        Segmentation::grow(&rings, &normals, params.angle_deg.or(|| ANGLE_DEG).to_radians(), 1, |_| false);
     let grown = start.elapsed().as_secs_f64();
     measure.normal = normals;
-    measure.score = segments.label.iter().map(|&c| if segments.large[c as usize] { 0.0 } else { 1.0 }).collect();
+    measure.score =
+        segments.label.iter().map(|&c| if segments.large[c as usize] { 0.0 } else { 1.0 }).collect();
     measure.density = vec![0.0; points.len()];
     let penalties = || Penalties { direction: Direction::Across, ..Default::default() };
     (measure.crease, measure.border) = (penalties(), penalties());
-    let seconds =
-        vec![("neighbors", neighbors), ("rings and normals", ringed - neighbors), ("segments", grown - ringed)];
+    let seconds = vec![
+        ("neighbors", neighbors),
+        ("rings and normals", ringed - neighbors),
+        ("segments", grown - ringed),
+    ];
     Segmented { segments, rings, seconds }
 }
 
@@ -59,7 +64,11 @@ pub fn robust(
     let radians = angle(params, resolution).to_radians();
     let segments = Segmentation::grow(graph, &measure.normal, radians, LEAST_FACE, sharp);
     let segments = absorb(segments, points, &measure.normal, graph);
-    Segmented { segments, rings: Neighbors::default(), seconds: vec![("segments", start.elapsed().as_secs_f64())] }
+    Segmented {
+        segments,
+        rings: Neighbors::default(),
+        seconds: vec![("segments", start.elapsed().as_secs_f64())],
+    }
 }
 
 /// The segmentation's angle, degrees: the paper's 8, and up to twice that where noise tilts the normals.

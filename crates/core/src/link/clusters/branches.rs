@@ -15,10 +15,8 @@ pub fn prune_branches(lines: &mut LineGraph, resolution: Resolution, depth: usiz
         if lines.edges[v as usize].len() <= 2 {
             continue;
         }
-        let mut depths: Vec<(f64, u32)> = lines.edges[v as usize]
-            .iter()
-            .map(|&w| (walker.depth(lines, v, w, depth as f64), w))
-            .collect();
+        let mut depths: Vec<(f64, u32)> =
+            lines.edges[v as usize].iter().map(|&w| (walker.depth(lines, v, w, depth as f64), w)).collect();
         depths.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         let long = depths.iter().filter(|d| d.0.is_infinite()).count();
         if long >= 1 {

@@ -70,9 +70,7 @@ pub fn connect_within(lines: &mut LineGraph, fixed: &[bool], reach: f64, walker:
             }
         }
     }
-    links.sort_unstable_by(|a, b| {
-        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then((a.2, a.3).cmp(&(b.2, b.3)))
-    });
+    links.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then((a.2, a.3).cmp(&(b.2, b.3))));
     for (_, gap, end, v) in links {
         if degree(lines, end) == 1
             && degree(lines, v) > 0

@@ -52,7 +52,9 @@ pub fn group(
 /// Candidates of each group, its first the one that it grew from; groups in the order of those.
 fn groups(graph: &Neighbors, penalties: &Penalties, radius: f64) -> Vec<Vec<u32>> {
     let mut order: Vec<u32> = (0..penalties.len() as u32).collect();
-    order.sort_by(|&a, &b| penalties.scalar[a as usize].total_cmp(&penalties.scalar[b as usize]).then(a.cmp(&b)));
+    order.sort_by(|&a, &b| {
+        penalties.scalar[a as usize].total_cmp(&penalties.scalar[b as usize]).then(a.cmp(&b))
+    });
     let mut taken = vec![false; penalties.len()];
     let mut scratch = Scratch::default();
     let mut groups = Vec::new();
@@ -84,11 +86,12 @@ fn push(
     members: &[u32],
 ) {
     let share = 1.0 / members.len() as f64;
-    let mean =
-        |values: &[f32]| members.iter().map(|&c| f64::from(values[c as usize])).sum::<f64>() * share;
-    let LineGraph { points, positions, penalty, corner, evidence, expected, fold, edges } = &mut clusters.lines;
+    let mean = |values: &[f32]| members.iter().map(|&c| f64::from(values[c as usize])).sum::<f64>() * share;
+    let LineGraph { points, positions, penalty, corner, evidence, expected, fold, edges } =
+        &mut clusters.lines;
     points.push(penalties.points[members[0] as usize]);
-    positions.push(members.iter().fold([0.0; 3], |sum, &c| add_scaled(sum, penalties.foot[c as usize], share)));
+    positions
+        .push(members.iter().fold([0.0; 3], |sum, &c| add_scaled(sum, penalties.foot[c as usize], share)));
     penalty.push(mean(&penalties.scalar) as f32);
     corner.push(members.iter().map(|&c| penalties.corner[c as usize]).fold(1.0, f32::min));
     evidence.push(mean(&penalties.evidence) as f32);

@@ -22,7 +22,13 @@ const DETOUR: (f64, f64) = (2.0, 4.0);
 type Length = u64;
 
 /// Closes what it can; `all` is `G_extended` on the same vertices, of which `lines` may have some more at the end.
-pub fn reroute(lines: &mut LineGraph, all: &LineGraph, anchored: &[bool], resolution: Resolution, reach: Reach) {
+pub fn reroute(
+    lines: &mut LineGraph,
+    all: &LineGraph,
+    anchored: &[bool],
+    resolution: Resolution,
+    reach: Reach,
+) {
     let mut walker = Walker::new(lines.edges.len(), resolution, reach);
     for longest in LONGEST {
         let ends: Vec<u32> =
@@ -50,7 +56,8 @@ fn way(
     longest: f64,
     walker: &mut Walker,
 ) -> Option<Vec<u32>> {
-    let mut heap: BinaryHeap<(Reverse<Length>, Reverse<u32>)> = BinaryHeap::from([(Reverse(0), Reverse(end))]);
+    let mut heap: BinaryHeap<(Reverse<Length>, Reverse<u32>)> =
+        BinaryHeap::from([(Reverse(0), Reverse(end))]);
     let mut known: Vec<(u32, Length, u32)> = vec![(end, 0, end)];
     while let Some((Reverse(length), Reverse(v))) = heap.pop() {
         let entry = known.iter().find(|k| k.0 == v).copied()?;

@@ -47,23 +47,31 @@ pub fn link_robust(
     resolution: Resolution,
     reach: Reach,
 ) -> Linked {
-    let border = close(points, graph, measure, &measure.border, segments, resolution, reach, None, &mut Recorder::new());
+    let cloud = Context { points, graph, measure, segments, resolution, reach };
+    let border = close(&cloud, &measure.border, None, &mut Recorder::new());
     let mut recorder = Recorder::new();
-    let crease = close(points, graph, measure, &measure.crease, segments, resolution, reach, Some(&border), &mut recorder);
+    let crease = close(&cloud, &measure.crease, Some(&border), &mut recorder);
     Linked { pattern: Pattern { crease, border }, stages: recorder.stages }
 }
 
-fn close(
-    points: &[[f64; 3]],
-    graph: &Neighbors,
-    measure: &Measure,
-    penalties: &Penalties,
-    segments: &Segmentation,
+/// What all steps look at.
+struct Context<'a> {
+    points: &'a [[f64; 3]],
+    graph: &'a Neighbors,
+    measure: &'a Measure,
+    segments: &'a Segmentation,
     resolution: Resolution,
     reach: Reach,
+}
+
+/// The closed lines of one kind.
+fn close(
+    cloud: &Context,
+    penalties: &Penalties,
     border: Option<&LineGraph>,
     recorder: &mut Recorder,
 ) -> LineGraph {
+    let &Context { points, graph, measure, segments, resolution, reach } = cloud;
     let (mut clusters, cluster_of) = group(
         graph,
         penalties,
@@ -110,7 +118,8 @@ fn close(
 
 /// Leads crease ends that come near a border on to it; the vertices added there.
 fn anchor(lines: &mut LineGraph, border: &LineGraph, resolution: Resolution) -> Vec<u32> {
-    let on: Vec<u32> = (0..border.edges.len() as u32).filter(|&v| !border.edges[v as usize].is_empty()).collect();
+    let on: Vec<u32> =
+        (0..border.edges.len() as u32).filter(|&v| !border.edges[v as usize].is_empty()).collect();
     let positions: Vec<[f64; 3]> = on.iter().map(|&v| border.positions[v as usize]).collect();
     let mut anchored = Vec::new();
     if positions.is_empty() {
