@@ -28,11 +28,14 @@ struct Cell {
     around: Vec<(f64, u32, [f64; 2])>,
 }
 
+/// Lengths of the rings of a block of points, the rings one after the other, and the normals.
+type Block = (Vec<u32>, Vec<u32>, Vec<[f32; 3]>);
+
 /// For each point its one-ring among `nearest`, in ascending order of index, and `(N, 3)` the unit normal, without
 /// orientation, of the least-squares plane through the ring and the point.
 pub fn one_rings(points: &[[f64; 3]], nearest: &Neighbors) -> (Neighbors, Vec<[f32; 3]>) {
     let blocks = points.len().div_ceil(super::BLOCK);
-    let rings: Vec<(Vec<u32>, Vec<u32>, Vec<[f32; 3]>)> = (0..blocks)
+    let rings: Vec<Block> = (0..blocks)
         .into_par_iter()
         .map_init(Cell::default, |cell, b| {
             let range = b * super::BLOCK..points.len().min((b + 1) * super::BLOCK);

@@ -29,12 +29,9 @@ pub fn ground(
     for (c, &p) in penalties.points.iter().enumerate() {
         vertex[p as usize] = cluster_of[c];
     }
-    for i in 0..points.len() {
-        if vertex[i] != u32::MAX {
-            continue;
-        }
+    for (i, vertex) in vertex.iter_mut().enumerate().filter(|(_, v)| **v == u32::MAX) {
         if let Some(place) = between(points, graph, segments, i) {
-            vertex[i] = push(&mut all, i as u32, place);
+            *vertex = push(&mut all, i as u32, place);
         }
     }
     for i in (0..points.len()).filter(|&i| vertex[i] != u32::MAX) {
