@@ -27,7 +27,7 @@ pub fn connect(lines: &mut LineGraph, resolution: Resolution, n: usize, d: usize
     let members: Vec<u32> = (0..lines.edges.len() as u32).filter(|&v| degree(lines, v) > 0).collect();
     let positions: Vec<[f64; 3]> = members.iter().map(|&v| lines.positions[v as usize]).collect();
     let nearest = all_nearest(&positions, n);
-    let reach = Reach { rho: d as f64, in_edges: true, openness: 0.0 };
+    let reach = Reach { rho: d as f64, in_edges: true, openness: 0.0, border_hops: 1 };
     let mut walker = Walker::new(lines.edges.len(), resolution, reach);
     for (i, &end) in members.iter().enumerate() {
         if degree(lines, end) != 1 {

@@ -72,10 +72,11 @@ fn close(
     recorder: &mut Recorder,
 ) -> LineGraph {
     let &Context { points, graph, measure, segments, resolution, reach } = cloud;
+    let hops = if border.is_some() { 1 } else { reach.border_hops };
     let (mut clusters, cluster_of) = group(
         graph,
         penalties,
-        &candidate_edges(graph, measure, penalties, resolution, 1.0),
+        &candidate_edges(graph, measure, penalties, resolution, 1.0, hops),
         segments,
         resolution,
     );
