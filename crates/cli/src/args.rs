@@ -1,68 +1,25 @@
 //! The command line as it is typed. Nothing is checked here that needs more than the text.
 
+mod help;
+mod parse;
+
 use std::path::PathBuf;
 
 use clap::{ArgAction, Args as ClapArgs, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
-
-const EXAMPLES: &str = "\
-Examples:
-  lineament extract --sample bracket -o bracket.obj     a generated scan, to try it out
-  lineament extract part.ply                            writes part.lines.json and .obj
-  lineament extract part.ply -o part.dxf -o part.json   several formats, by extension
-  lineament render part.ply -o part.png                 look at it
-  lineament params > tuning.toml                        every parameter, with its meaning
-
-Exit codes:
-  0    everything asked for was done
-  1    of several inputs one or more failed, the others have their results
-  2    the command line does not make sense
-  3    an input cannot be read, or is malformed
-  4    refused: a parameter is out of range, or the points have no surface
-  5    an output could not be written
-  130  interrupted; no file is left half-written";
+use lineament::detect::baselines::Detector;
+use lineament_io::Format;
 
 /// Feature lines from point clouds: creases, borders and corners as ordered curves.
 ///
 /// Reads a scan of a surface and writes the lines where faces meet (creases) and where the surface ends (borders),
 /// joined in junctions and corners. No parameter needs to be set.
 #[derive(Debug, Parser)]
-#[command(name = "lineament", version, after_long_help = EXAMPLES, max_term_width = 110)]
+#[command(name = "lineament", version, after_long_help = help::EXAMPLES, max_term_width = 110)]
 pub struct Args {
     #[command(subcommand)]
     pub command: Command,
 }
-
-const EXTRACT_HELP: &str = "\
-Formats by extension:
-  .json  everything found, in the schema lineament-network/1
-  .obj   lines, grouped by kind
-  .ply   vertices and edges
-  .dxf   3D polylines, a layer a kind
-
-Examples:
-  lineament extract part.ply
-  lineament extract part.ply -o lines/part.dxf --method penalty
-  lineament extract part.ply --params tuning.toml --set penalty.fold_deg=15
-  lineament extract scans/*.ply -o lines/ -o 'cad/{stem}.dxf'
-  zcat scan.xyz.gz | lineament extract - -o - > lines.json";
-
-const CLASSIFY_HELP: &str = "\
-Formats by extension:
-  .npy  classes as u8, one a point
-  .ply  the points and their attributes with class and score
-
-Example:
-  lineament classify part.ply -o part.classes.npy -o part.classes.ply";
-
-const RENDER_HELP: &str = "\
-Creases are red, borders blue, junctions black, corners green, ends pink. What the surface hides is
-faint and dashed.
-
-Examples:
-  lineament render part.ply -o part.png
-  lineament render part.ply -o top.png --view top --size 2400x1800
-  lineament render part.ply -o part.png --network part.lines.json";
 
 /// What to do.
 #[derive(Debug, Subcommand)]
@@ -96,32 +53,44 @@ pub enum Command {
 
 /// Arguments of `extract`.
 #[derive(Debug, ClapArgs)]
-#[command(after_help = EXTRACT_HELP)]
+#[command(after_help = help::EXTRACT_HELP)]
 pub struct Extract {
     /// Where to write the lines; the extension says the format. May be given several times; a folder gets
     /// NAME.lines.json and NAME.lines.obj, `{stem}` stands for the input's name, `-` is JSON on standard output
     /// [default: NAME.lines.json and NAME.lines.obj beside the input]
     #[arg(short, long, value_name = "OUT", value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
+    /// Where drawings (SVG) look from: auto, top, bottom, front, back, left, right, iso, or X,Y,Z
+    #[arg(long, default_value = "auto", allow_hyphen_values = true)]
+    pub view: String,
+    /// Millimetres of a drawing (SVG) for one unit of the input [default: fit 200 mm]
+    #[arg(long, value_name = "MM", value_parser = parse::length)]
+    pub millimetres: Option<f64>,
     #[command(flatten)]
     pub work: Work,
 }
 
 /// Arguments of `classify`.
 #[derive(Debug, ClapArgs)]
-#[command(after_help = CLASSIFY_HELP)]
+#[command(after_help = help::CLASSIFY_HELP)]
 pub struct Classify {
     /// Where to write one row a point, in the order of the input; points that were dropped are 0. May be given several
     /// times; a folder gets NAME.classes.npy, `{stem}` stands for the input's name, `-` is NPY on standard output
     #[arg(short, long, value_name = "OUT", required = true, value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
+    /// Mark the points by this measure and its threshold alone, without looking for lines; see below
+    #[arg(long, value_name = "NAME", conflicts_with = "method", value_parser = parse::detector)]
+    pub detector: Option<Detector>,
+    /// Write the score of every detector as an attribute of the points (PLY)
+    #[arg(long)]
+    pub scores: bool,
     #[command(flatten)]
     pub work: Work,
 }
 
 /// Arguments of `render`.
 #[derive(Debug, ClapArgs)]
-#[command(after_help = RENDER_HELP)]
+#[command(after_help = help::RENDER_HELP)]
 pub struct Render {
     /// The PNG file to write; a folder gets NAME.png, `{stem}` stands for the input's name, `-` is standard output
     #[arg(short, long, value_name = "OUT.png", required = true, value_hint = ValueHint::FilePath)]
@@ -133,7 +102,7 @@ pub struct Render {
     #[arg(long, default_value = "z", value_parser = ["x", "y", "z"])]
     pub up: String,
     /// Width and height of the picture in pixels
-    #[arg(long, value_name = "WxH", default_value = "1600x1200", value_parser = parse_size)]
+    #[arg(long, value_name = "WxH", default_value = "1600x1200", value_parser = parse::size)]
     pub size: (usize, usize),
     /// The lines to draw: `computed`, `none`, or a JSON file that `extract` wrote, `{stem}` as in -o
     #[arg(long, value_name = "FILE.json", default_value = "computed", value_hint = ValueHint::FilePath)]
@@ -150,6 +119,9 @@ pub struct Render {
 pub struct Info {
     #[command(flatten)]
     pub source: Source,
+    /// Read only every N-th point
+    #[arg(long, help_heading = "Reading", value_name = "N", conflicts_with = "sample", value_parser = parse::count)]
+    pub every: Option<usize>,
 }
 
 /// What the commands that extract have in common.
@@ -157,6 +129,9 @@ pub struct Info {
 pub struct Work {
     #[command(flatten)]
     pub source: Source,
+    /// Read only every N-th point
+    #[arg(long, help_heading = "Reading", value_name = "N", conflicts_with = "sample", value_parser = parse::count)]
+    pub every: Option<usize>,
     #[command(flatten)]
     pub tuning: Tuning,
     #[command(flatten)]
@@ -175,6 +150,30 @@ pub struct Source {
     /// Seed of the generated scan
     #[arg(long, value_name = "N", requires = "sample", default_value_t = 1)]
     pub seed: u64,
+    #[command(flatten)]
+    pub reading: Reading,
+}
+
+/// What of a file is read.
+#[derive(Clone, Debug, Default, ClapArgs)]
+#[command(next_help_heading = "Reading")]
+pub struct Reading {
+    /// Read only the points inside this box, its faces included
+    #[arg(long, value_name = "X,Y,Z,X,Y,Z", value_parser = parse::bounds, allow_hyphen_values = true)]
+    #[arg(conflicts_with = "sample")]
+    pub bounds: Option<[[f64; 3]; 2]>,
+    /// Read only one point of every cube with this edge, in the unit of the input
+    #[arg(long, value_name = "SIZE", conflicts_with = "sample", value_parser = parse::length)]
+    pub voxel: Option<f64>,
+    /// Read only one scan of a file that holds several, counted from 1
+    #[arg(long, value_name = "N", conflicts_with = "sample", value_parser = parse::count)]
+    pub scan: Option<usize>,
+    /// Take the input for this format, whatever it looks like
+    #[arg(long, value_name = "NAME", conflicts_with = "sample", value_parser = parse::format)]
+    pub input_format: Option<Format>,
+    /// Memory that the points of a compressed input may take, such as 4G [default: 64M and eight times the file]
+    #[arg(long, value_name = "BYTES", conflicts_with = "sample", value_parser = parse::bytes)]
+    pub memory: Option<u64>,
     /// Of a file that ends early, read what is whole, and say how much is missing
     #[arg(long)]
     pub salvage: bool,
@@ -193,7 +192,7 @@ pub struct Tuning {
     #[arg(long, value_name = "FILE.toml", value_hint = ValueHint::FilePath)]
     pub params: Option<PathBuf>,
     /// Set one parameter, such as `penalty.gamma=0.4`; may be given several times and goes over the file
-    #[arg(long, value_name = "KEY=VALUE", value_parser = parse_setting)]
+    #[arg(long, value_name = "KEY=VALUE", value_parser = parse::setting)]
     pub set: Vec<(String, String)>,
 }
 
@@ -211,16 +210,6 @@ pub struct Running {
     pub verbose: bool,
 }
 
-fn parse_setting(text: &str) -> Result<(String, String), String> {
-    let (key, value) = text.split_once('=').ok_or("write KEY=VALUE, such as penalty.gamma=0.4")?;
-    Ok((key.trim().into(), value.trim().into()))
-}
-
-fn parse_size(text: &str) -> Result<(usize, usize), String> {
-    let sides = text.split_once(['x', 'X']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
-    sides.ok_or_else(|| "write WIDTHxHEIGHT in pixels, such as 1600x1200".into())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -229,19 +218,5 @@ mod tests {
     #[test]
     fn the_command_line_is_consistent() {
         Args::command().debug_assert();
-    }
-
-    #[test]
-    fn settings_split_at_the_first_equals_sign() {
-        assert_eq!(parse_setting("a.b = c=d"), Ok(("a.b".into(), "c=d".into())));
-        assert!(parse_setting("a.b").is_err());
-    }
-
-    #[test]
-    fn sizes_are_width_by_height() {
-        assert_eq!(parse_size("800x600"), Ok((800, 600)));
-        for bad in ["800", "x", "800x", "8x6x4", "-8x6", "800x6.5"] {
-            assert!(parse_size(bad).is_err(), "{bad}");
-        }
     }
 }

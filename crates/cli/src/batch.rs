@@ -1,5 +1,6 @@
 //! One input or many: what is said of each, and of all at the end.
 
+use crate::args::Running;
 use crate::failure::{Code, Failure};
 use crate::source::Origin;
 
@@ -7,13 +8,9 @@ use crate::source::Origin;
 pub struct Done {
     /// The summary.
     pub lines: Vec<String>,
-    /// A row of the table of many inputs, in the order of [`HEADER`] after the name.
+    /// A row of the table of many inputs, a cell for each head after the first.
     pub row: Vec<String>,
 }
-
-/// Heads of the table's columns.
-const HEADER: [&str; 9] =
-    ["input", "points", "creases", "borders", "loops", "junctions", "corners", "ends", "seconds"];
 
 /// Treats each input by `treat`, which gets its number. One input gets its summary, and its failure is the program's.
 /// Of several, a failed one leaves the others alone; each failure is told when it happens, and a table of all closes.
@@ -21,18 +18,18 @@ const HEADER: [&str; 9] =
 /// # Errors
 /// The failure of a single input; partial if one or more of several failed.
 pub fn run(
+    header: &[&str],
     origins: &[Origin],
-    quiet: bool,
-    verbose: bool,
+    running: &Running,
     mut treat: impl FnMut(usize, &Origin) -> Result<Done, Failure>,
 ) -> Result<(), Failure> {
     let several = origins.len() > 1;
-    let mut table = vec![HEADER.map(String::from).to_vec()];
+    let mut table = vec![header.iter().map(|head| head.to_string()).collect::<Vec<_>>()];
     let mut failed = 0;
     for (i, origin) in origins.iter().enumerate() {
         match treat(i, origin) {
             Ok(done) => {
-                if !quiet && (verbose || !several) {
+                if !running.quiet && (running.verbose || !several) {
                     eprintln!("{}", done.lines.join("\n"));
                 }
                 table.push([vec![origin.shown()], done.row].concat());
@@ -45,7 +42,7 @@ pub fn run(
             }
         }
     }
-    if several && !quiet {
+    if several && !running.quiet {
         eprint!("{}", aligned(&table));
     }
     partial(failed, origins.len())
@@ -62,7 +59,7 @@ pub fn partial(failed: usize, all: usize) -> Result<(), Failure> {
 /// Rows as text, columns of numbers aligned to the right. A last cell that stands alone may run over.
 fn aligned(table: &[Vec<String>]) -> String {
     let width = |column: usize| {
-        let whole = table.iter().filter(|row| row.len() == HEADER.len());
+        let whole = table.iter().filter(|row| row.len() == table[0].len());
         whole.filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)
     };
     let first =

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use lineament::{Cloud, shapes};
-use lineament_io::{ReadOptions, read};
+use lineament_io::{LasFrame, ReadOptions, read};
 
-use crate::args::Source;
+use crate::args::{Reading, Source};
 use crate::failure::{Code, Failure};
 
 /// One input of the command line.
@@ -25,6 +25,9 @@ pub struct Input {
     /// File name without folders, `stdin`, or `sample NAME, seed N`.
     pub name: String,
     pub sha256: Option<String>,
+    /// The coordinate reference system, and how a LAS file stores its coordinates, for outputs that are to be like it.
+    pub crs: Option<String>,
+    pub las: Option<LasFrame>,
     /// The name of the format, and the number of bytes; nothing for a generated scan.
     pub format: Option<(String, u64)>,
     /// What is missing from a file that was salvaged.
@@ -90,15 +93,15 @@ impl Origin {
     ///
     /// # Errors
     /// Input if a file cannot be read, usage if there is no such sample, refused if `--strict` says so.
-    pub fn load(&self, source: &Source, options: &ReadOptions) -> Result<Input, Failure> {
+    pub fn load(&self, reading: &Reading, options: &ReadOptions) -> Result<Input, Failure> {
         let start = Instant::now();
-        let options = &ReadOptions { salvage: source.salvage, ..options.clone() };
+        let options = &with_reading(options, reading);
         let input = match self {
             Origin::File(path) => from_file(path, self.name(), options),
             Origin::Stdin => from_file(Path::new("-"), self.name(), options),
             Origin::Sample { name, seed } => from_sample(name, *seed, self.name()),
         }?;
-        if source.strict {
+        if reading.strict {
             self.refuse_non_finite(&input.cloud)?;
         }
         Ok(Input { seconds: start.elapsed().as_secs_f64(), ..input })
@@ -123,11 +126,26 @@ impl Origin {
     }
 }
 
+/// The options with what the command line says of reading.
+fn with_reading(options: &ReadOptions, reading: &Reading) -> ReadOptions {
+    ReadOptions {
+        salvage: reading.salvage,
+        memory: reading.memory,
+        scan: reading.scan,
+        voxel: reading.voxel,
+        bounds: reading.bounds,
+        format: reading.input_format,
+        ..options.clone()
+    }
+}
+
 fn from_file(path: &Path, name: String, options: &ReadOptions) -> Result<Input, Failure> {
     let scan = read(path, options)?;
     Ok(Input {
         name,
         sha256: scan.sha256,
+        crs: scan.crs,
+        las: scan.las,
         format: Some((scan.format.to_string(), scan.bytes)),
         missing: scan.missing.map(|m| format!("the file ends early: {m}")),
         remarks: scan.ignored,
@@ -142,7 +160,17 @@ fn from_sample(sample: &str, seed: u64, name: String) -> Result<Input, Failure> 
             .advise("`lineament extract --sample list` lists them")
     })?;
     let cloud = (found.make)(seed).cloud;
-    Ok(Input { cloud, name, sha256: None, format: None, missing: None, remarks: Vec::new(), seconds: 0.0 })
+    Ok(Input {
+        cloud,
+        name,
+        sha256: None,
+        crs: None,
+        las: None,
+        format: None,
+        missing: None,
+        remarks: Vec::new(),
+        seconds: 0.0,
+    })
 }
 
 /// Whether the source is the request to list the samples.

@@ -19,12 +19,14 @@ pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> 
     lines
 }
 
-fn points(input: &Input, report: &Report) -> String {
+/// What was read.
+pub fn points(input: &Input, report: &Report) -> String {
     let [read, dropped, merged] = [report.read, report.dropped, report.merged].map(grouped);
     format!("{}: {read} points read, {dropped} not finite, {merged} duplicates", input.name)
 }
 
-fn resolution(report: &Report) -> String {
+/// Spacing and noise.
+pub fn resolution(report: &Report) -> String {
     let share = if report.spacing > 0.0 { report.noise / report.spacing } else { 0.0 };
     format!("spacing {}, noise {} ({share:.2} spacings)", figure(report.spacing), figure(report.noise))
 }
@@ -46,7 +48,11 @@ fn counts(network: &Network) -> String {
     parts.join(", ")
 }
 
-/// The cells of a table of many inputs.
+/// Heads of the table of many inputs.
+pub const HEADER: [&str; 9] =
+    ["input", "points", "creases", "borders", "loops", "junctions", "corners", "ends", "seconds"];
+
+/// The cells of the table of many inputs, after the name.
 pub fn row(read: usize, network: Option<&Network>, seconds: f64) -> Vec<String> {
     let of_kind = |network: &Network, kind| network.strips.iter().filter(|s| s.kind == kind).count();
     let counts = match network {

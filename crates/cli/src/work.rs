@@ -11,7 +11,7 @@ use crate::batch::{self, Done};
 use crate::config;
 use crate::failure::Failure;
 use crate::source::{self, Input, Origin};
-use crate::{outputs, progress};
+use crate::{outputs, progress, summary};
 
 /// A command line that has been checked as far as it can be without reading an input.
 pub struct Work<'a> {
@@ -46,13 +46,15 @@ impl Work<'_> {
         &self,
         mut treat: impl FnMut(&Origin, &[PathBuf]) -> Result<Done, Failure>,
     ) -> Result<(), Failure> {
-        let running = &self.args.running;
-        batch::run(&self.origins, running.quiet, running.verbose, |i, origin| treat(origin, &self.plan[i]))
+        batch::run(&summary::HEADER, &self.origins, &self.args.running, |i, origin| {
+            treat(origin, &self.plan[i])
+        })
     }
 
     /// Reads an input.
     pub fn load(&self, origin: &Origin, options: &ReadOptions) -> Result<Input, Failure> {
-        origin.load(&self.args.source, options)
+        let options = ReadOptions { every: self.args.every, ..options.clone() };
+        origin.load(&self.args.source.reading, &options)
     }
 
     /// Extracts the lines of an input.

@@ -1,7 +1,7 @@
 //! The pipeline: from a cloud to its feature network.
 
-use crate::detect::penalty;
 use crate::detect::segments::steps::{self, Segmented};
+use crate::detect::{detect, penalty, projection};
 use crate::frame::{Frame, Localised};
 use crate::link::clusters::{GraphStage, link_paper, link_robust};
 use crate::link::{Reach, link, reach};
@@ -9,11 +9,11 @@ use crate::math::vec3::{cross, norm, sub};
 use crate::measure::{Class, Measure};
 use crate::neighbors::{Neighbors, all_nearest, riemannian};
 use crate::network::Network;
-use crate::params::{Method, SegmentForm, SegmentParams};
+use crate::params::{SegmentForm, SegmentParams};
 use crate::pattern::Pattern;
 use crate::recover::recover;
 use crate::resolution::Resolution;
-use crate::{Cloud, Error, Params};
+use crate::{Cloud, Error, Method, Params};
 use std::time::Instant;
 
 /// Everything that [`extract`] found, stage by stage.
@@ -67,7 +67,7 @@ pub enum Stage {
     Localise,
     /// Nearest neighbours and the neighbour graph.
     Neighbors,
-    /// Point penalties.
+    /// What every point says of lines.
     Detect,
     /// Patterns.
     Link,
@@ -134,23 +134,14 @@ pub fn extract_observed(
         crate::params::Auto::Auto => resolution,
     };
     let reach = reach(&params.spanning, params.penalty.form, positions.len());
-    let mut measure =
-        clock.run(Stage::Detect, || penalty::penalty(&positions, &graph, resolution, &params.penalty));
-    let (pattern, clusters) = match params.method {
-        Method::Penalty => {
-            let pattern =
-                clock.run(Stage::Link, || link(&graph, &measure, resolution, &params.spanning, reach));
-            (pattern, None)
-        }
-        Method::Segments => {
-            let run = || segmented(&positions, &graph, &mut measure, resolution, &params.segments, reach);
-            let (pattern, clusters) = clock.run(Stage::Link, run);
-            (pattern, Some(clusters))
-        }
-    };
+    let mut measure = clock.run(Stage::Detect, || detect(&positions, &graph, resolution, params));
+    let (pattern, clusters) =
+        clock.run(Stage::Link, || linked(&positions, &graph, &mut measure, resolution, params, reach));
     let network = clock.run(Stage::Recover, || recover(&pattern, resolution, &params.spline));
 
-    measure.class = crate::classify::classes(&positions, &network, resolution);
+    if measure.class.is_empty() {
+        measure.class = crate::classify::classes(&positions, &network, resolution);
+    }
     let report = Report {
         read: world.len(),
         dropped,
@@ -160,7 +151,7 @@ pub fn extract_observed(
         noise: frame.length_to_world(resolution.noise),
         stages: clock.stages,
         settings: settings(params, resolution, reach),
-        notes: Vec::new(),
+        notes: notes(params, resolution),
     };
     let network = to_world(network, &frame, &source);
     Ok(Extraction { report, frame, source, canonical, measure, pattern, clusters, network })
@@ -191,6 +182,27 @@ pub struct ClusterStages {
     pub segmented: Segmented,
     /// The graph after each step.
     pub graphs: Vec<GraphStage>,
+}
+
+/// Links by the method asked for; the method `segments` also says what it went through.
+fn linked(
+    positions: &[[f64; 3]],
+    graph: &Neighbors,
+    measure: &mut Measure,
+    resolution: Resolution,
+    params: &Params,
+    reach: Reach,
+) -> (Pattern, Option<ClusterStages>) {
+    match params.method {
+        Method::Penalty | Method::Projection => {
+            (link(graph, measure, resolution, &params.spanning, reach), None)
+        }
+        Method::Segments => {
+            let (pattern, clusters) =
+                segmented(positions, graph, measure, resolution, &params.segments, reach);
+            (pattern, Some(clusters))
+        }
+    }
 }
 
 /// Demarsin's segmentation and closed graph (Demarsin et al. 2007, Algorithm 1).
@@ -233,7 +245,7 @@ impl Clock<'_> {
     }
 }
 
-fn refuse_degenerate(read: usize, positions: &[[f64; 3]]) -> Result<(), Error> {
+pub(crate) fn refuse_degenerate(read: usize, positions: &[[f64; 3]]) -> Result<(), Error> {
     if positions.len() < LEAST_POINTS {
         return Err(Error::TooFewPoints { read, distinct: positions.len(), needed: LEAST_POINTS });
     }
@@ -257,6 +269,13 @@ fn settings(params: &Params, resolution: Resolution, reach: crate::link::Reach) 
             format!("{:.1} {}", reach.rho, if reach.in_edges { "edges" } else { "spacings" }),
         ),
     ]
+}
+
+fn notes(params: &Params, resolution: Resolution) -> Vec<String> {
+    match params.method {
+        Method::Projection => projection::warning(resolution).into_iter().collect(),
+        _ => Vec::new(),
+    }
 }
 
 /// Positions into the world frame, sources into the order of the input.

@@ -1,6 +1,8 @@
 //! Small numerical tools that know nothing of clouds.
 
 pub mod eigen3;
+pub mod least_axis;
+pub mod otsu;
 pub mod skyline;
 pub mod union_find;
 pub mod vec3;

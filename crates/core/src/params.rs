@@ -7,6 +7,7 @@ mod table;
 mod value;
 
 pub use table::Entry;
+pub(crate) use value::choices;
 pub use value::{Auto, ParamValue};
 
 use crate::Error;
@@ -38,6 +39,18 @@ sections! {
         fold_deg: f64 = 25.0, "degrees", 1.0..=120.0;
         /// Standard deviation of the noise along the surface normal; auto: estimated from the cloud.
         noise_spacings: Auto<f64> = Auto::Auto, "spacings", 0.0..=10.0;
+    }
+
+    /// The projected distance at each point's best scale (Tran 2013); the line's direction and foot follow `penalty`.
+    projection: ProjectionParams {
+        /// Rise of the projected distance from one neighbourhood size to the next that counts as the edge coming into
+        /// sight (the paper's epsilon, section 2.3).
+        jump: f64 = 3.0, "", 1.0..=1000000.0;
+        /// Projected distance below which there is none to speak of, so that rounding and noise are no rise; auto: from
+        /// the noise.
+        floor_spacings: Auto<f64> = Auto::Auto, "spacings", 0.0..=10.0;
+        /// Bins of the histogram that Otsu's threshold is found on (section 2.4).
+        bins: usize = 256, "bins", 2.0..=65536.0;
     }
 
     /// The minimum spanning graph and its pruning (Gumhold 2001, sections 3.2 and 3.3).
@@ -95,9 +108,13 @@ value::choices! { PenaltyForm { Robust = "robust", Paper = "paper" } }
 pub enum Method {
     /// Gumhold 2001: penalties and the minimum spanning graph.
     Penalty,
+    /// Tran 2013: projected distance at the best scale, points above Otsu's threshold.
+    Projection,
     /// Demarsin et al. 2007: first-order segmentation and the closed graph of its clusters.
     Segments,
 }
+
+value::choices! { Method { Penalty = "penalty", Projection = "projection", Segments = "segments" } }
 
 /// Which form of Demarsin's pipeline is used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,5 +126,3 @@ pub enum SegmentForm {
 }
 
 value::choices! { SegmentForm { Robust = "robust", Paper = "paper" } }
-
-value::choices! { Method { Penalty = "penalty", Segments = "segments" } }

@@ -1,6 +1,6 @@
 //! Damages inputs at random and reads them, for as long as it is told: `mutate SECONDS SEED FILE...`. A panic ends it, and
 //! leaves the input in `mutate-SEED.bin`; so does a read of more than ten seconds. Prints the number of executions.
-//! It needs no tool beside the stable compiler; the targets in `fuzz/` look deeper.
+//! It needs no tool beside the stable compiler.
 
 use lineament_io::{ReadOptions, read_from};
 use std::io::Cursor;

@@ -100,8 +100,8 @@ impl Scalar {
             Scalar::U16 => number::<u16>(bytes, endian).into(),
             Scalar::I32 => number::<i32>(bytes, endian).into(),
             Scalar::U32 => number::<u32>(bytes, endian).into(),
-            Scalar::I64 => number::<i64>(bytes, endian).widen(),
-            Scalar::U64 => number::<u64>(bytes, endian).widen(),
+            Scalar::I64 => number::<i64>(bytes, endian).to_f64(),
+            Scalar::U64 => number::<u64>(bytes, endian).to_f64(),
             Scalar::F32 => number::<f32>(bytes, endian).into(),
             Scalar::F64 => number::<f64>(bytes, endian),
         }
@@ -154,7 +154,7 @@ pub(crate) fn push(column: &mut Column, value: f64) -> bool {
 
 /// Value `index` of a column as f64; NaN beyond its end. Integers beyond 2^53 round.
 pub(crate) fn get(column: &Column, index: usize) -> f64 {
-    each_column!(column, values => values.get(index).map_or(f64::NAN, |&value| value.widen()))
+    each_column!(column, values => values.get(index).map_or(f64::NAN, |&value| value.to_f64()))
 }
 
 /// Values in the smallest integer type that holds them all, or as they are: for inputs that state no type.
@@ -183,7 +183,7 @@ pub(crate) trait Number: Copy {
     /// As little endian bytes.
     fn put(self, out: &mut Vec<u8>);
     /// As f64, rounded where it does not fit.
-    fn widen(self) -> f64;
+    fn to_f64(self) -> f64;
     /// From f64, if the type holds that value; f32 rounds.
     fn narrow(value: f64) -> Option<Self>;
 }
@@ -203,7 +203,7 @@ macro_rules! numbers {
                 out.extend_from_slice(&self.to_le_bytes());
             }
             #[inline]
-            fn widen(self) -> f64 {
+            fn to_f64(self) -> f64 {
                 self as f64
             }
             fn narrow(value: f64) -> Option<Self> {
@@ -243,12 +243,12 @@ fn axis_of<T: Number>(
     match endian {
         Endian::Little => {
             for (row, point) in rows.chunks_exact(stride).zip(out) {
-                point[axis] = number::<T>(&row[offset..], Endian::Little).widen();
+                point[axis] = number::<T>(&row[offset..], Endian::Little).to_f64();
             }
         }
         Endian::Big => {
             for (row, point) in rows.chunks_exact(stride).zip(out) {
-                point[axis] = number::<T>(&row[offset..], Endian::Big).widen();
+                point[axis] = number::<T>(&row[offset..], Endian::Big).to_f64();
             }
         }
     }

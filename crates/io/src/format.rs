@@ -32,10 +32,12 @@ pub enum Format {
     Npy,
     /// Binary point sets of the Expe library.
     Expe,
+    /// Binary glTF 2.0.
+    Glb,
 }
 
 /// Format, name in messages, extensions.
-const FORMATS: [(Format, &str, &[&str]); 11] = [
+const FORMATS: [(Format, &str, &[&str]); 12] = [
     (Format::Ply, "PLY", &["ply"]),
     (
         Format::Table,
@@ -51,20 +53,21 @@ const FORMATS: [(Format, &str, &[&str]); 11] = [
     (Format::Off, "OFF", &["off"]),
     (Format::Npy, "NPY", &["npy"]),
     (Format::Expe, "Expe point set", &[]),
+    (Format::Glb, "GLB", &["glb"]),
 ];
 
 /// First bytes of formats that have them.
-const MAGIC: [(Format, &[u8]); 5] = [
+const MAGIC: [(Format, &[u8]); 6] = [
     (Format::Las, b"LASF"),
     (Format::E57, b"ASTM-E57"),
     (Format::Npy, npy::MAGIC),
     (Format::Expe, expe::MAGIC),
     (Format::Pcd, b"# .PCD"),
+    (Format::Glb, b"glTF"),
 ];
 
 /// What begins with these bytes is a known format that this version does not read.
-const FOREIGN: [(&[u8], &str); 3] =
-    [(b"PAR1", "Parquet"), (b"glTF", "GLB"), (b"PK\x03\x04", "a zip archive (NPZ or other)")];
+const FOREIGN: [(&[u8], &str); 2] = [(b"PAR1", "Parquet"), (b"PK\x03\x04", "a zip archive (NPZ or other)")];
 
 const OBJ_KEYWORDS: [&[u8]; 14] =
     [b"v", b"vn", b"vt", b"vp", b"f", b"l", b"p", b"o", b"g", b"s", b"mtllib", b"usemtl", b"cstype", b"deg"];

@@ -1,6 +1,7 @@
 //! From an input to a cloud: opening, recognising, dispatching.
 mod e57;
 pub(crate) mod expe;
+mod glb;
 mod join;
 pub(crate) mod las;
 mod limit;
@@ -183,6 +184,7 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         Format::Off => off::read(&mut source, options)?,
         Format::Npy => npy::read(&mut source, options)?,
         Format::Expe => expe::read(&mut source, options)?,
+        Format::Glb => glb::read(&mut source, options)?,
     };
     source.drain()?;
     let Decoded { mut cloud, mut ignored, missing, crs, las } = decoded;

@@ -15,9 +15,9 @@ mod points_pcd;
 mod points_ply;
 mod points_text;
 mod polyline;
+mod section;
 mod svg;
 mod vtp;
-mod section;
 
 pub use section::{
     SectionContext, SectionFormat, section_format, write_sections, write_sections_to, write_slice_picture,

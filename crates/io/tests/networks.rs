@@ -321,3 +321,29 @@ fn vtp_and_csv_have_every_point() {
     let points: Vec<[f64; 3]> = network().strips.iter().flat_map(|s| s.points.clone()).collect();
     assert_eq!(scan.cloud.positions, points);
 }
+
+#[test]
+fn glb_reads_back_with_y_up_to_single_precision_of_the_extent() {
+    let mut near = network();
+    near.strips.truncate(2);
+    near.nodes[1].position = [3.0, 4.0, 5.0];
+    near.strips[0].points[2] = [3.0, 4.0, 5.0];
+    let mut bytes = Vec::new();
+    write_network_to(&mut bytes, NetworkFormat::Glb, &near, &context()).unwrap();
+    let scan = common::from_bytes(&bytes, "lines.glb", &Default::default()).unwrap();
+    assert_eq!(scan.cloud.len(), 5);
+    for (read, node) in scan.cloud.positions.iter().zip(&near.nodes) {
+        let [x, y, z] = node.position;
+        assert!([x, z, -y].iter().zip(read).all(|(a, b)| (a - b).abs() < 1e-6), "{read:?}");
+    }
+    for length in (0..bytes.len()).step_by(5) {
+        assert!(common::from_bytes(&bytes[..length], "cut.glb", &Default::default()).is_err());
+    }
+    for at in 0..bytes.len() {
+        for value in [0, 0xff, b'9'] {
+            let mut changed = bytes.clone();
+            changed[at] = value;
+            let _ = common::from_pipe(&changed, "changed.glb", &Default::default());
+        }
+    }
+}

@@ -4,7 +4,7 @@ mod common;
 use common::{from_bytes, seeds};
 use lineament_io::ReadOptions;
 
-/// With `LINEAMENT_SEEDS` naming a folder they are also written there, for `examples/mutate` and the targets in `fuzz/`.
+/// With `LINEAMENT_SEEDS` naming a folder they are also written there, for `examples/mutate`.
 #[test]
 fn every_seed_reads_whole() {
     let folder = std::env::var_os("LINEAMENT_SEEDS").map(std::path::PathBuf::from);

@@ -1,14 +1,17 @@
 //! `lineament classify`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use lineament_io::{PointTable, ReadOptions, point_format, write_points};
+use lineament::detect::baselines::Detector;
+use lineament::detect::points::{Marked, mark};
+use lineament::{Attribute, Class, Column, Network};
+use lineament_io::{PointFormat, PointTable, ReadOptions, point_format, write_points};
 
 use crate::args::Classify;
 use crate::batch::Done;
-use crate::failure::Failure;
-use crate::source::{self, Origin};
+use crate::failure::{Code, Failure};
+use crate::source::{self, Input, Origin};
 use crate::summary::plural;
 use crate::work::{self, Work};
 use crate::{outputs, summary};
@@ -16,29 +19,79 @@ use crate::{outputs, summary};
 /// What a folder gets.
 const SUFFIXES: [&str; 1] = ["classes.npy"];
 
-/// Reads, extracts, and writes a class and a score for every point.
+/// What was found of the points, and what to say of it.
+struct Found {
+    classes: Vec<Class>,
+    scores: Vec<f32>,
+    lines: Vec<String>,
+    network: Option<Network>,
+}
+
+/// Reads, extracts or applies one detector, and writes a class and a score for every point.
 pub fn run(args: &Classify) -> Result<(), Failure> {
     if source::is_list(&args.work.source) {
         return source::print_list();
     }
+    let holds_scores =
+        |path: &PathBuf| path != Path::new("-") && point_format(path).is_ok_and(|f| f != PointFormat::Npy);
+    if args.scores && !args.output.iter().any(holds_scores) {
+        return Err(Failure::new(
+            Code::Usage,
+            "--scores: NPY holds classes only: add an output `-o NAME.ply`",
+        ));
+    }
     let work = work::prepare(&args.work, &args.output, &SUFFIXES, point_format)?;
-    work.each(|origin, outputs| one(&work, origin, outputs))
+    work.each(|origin, outputs| one(&work, args, origin, outputs))
 }
 
-fn one(work: &Work, origin: &Origin, outputs: &[PathBuf]) -> Result<Done, Failure> {
+fn one(work: &Work, args: &Classify, origin: &Origin, outputs: &[PathBuf]) -> Result<Done, Failure> {
     let start = Instant::now();
-    let input = work.load(origin, &ReadOptions::default())?;
-    let found = work.extract(origin, &input)?;
-    let classes: Vec<u8> = found.classes().into_iter().map(|class| class as u8).collect();
-    let table = PointTable { cloud: &input.cloud, classes: &classes, scores: &found.scores() };
+    let mut input = work.load(origin, &ReadOptions::default())?;
+    let found = match args.detector {
+        Some(detector) => by_detector(work, origin, &input, detector)?,
+        None => by_method(work, origin, &input)?,
+    };
+    if args.scores {
+        let every = marked(work, origin, &input, &Detector::ALL)?;
+        input.cloud.attributes.extend((0..Detector::ALL.len()).map(|which| attribute(&every, which)));
+    }
+    let classes: Vec<u8> = found.classes.into_iter().map(|class| class as u8).collect();
+    let table =
+        PointTable { cloud: &input.cloud, classes: &classes, scores: &found.scores, las: input.las.as_ref() };
     for path in outputs {
         outputs::write(path, || write_points(path, &work.inputs, &table))?;
     }
-    let mut lines = summary::of(&input, &found, work.args.running.verbose);
+    let mut lines = found.lines;
     lines.push(counts(&classes));
     lines.push(summary::written(outputs));
     let seconds = start.elapsed().as_secs_f64();
-    Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), seconds) })
+    Ok(Done { lines, row: summary::row(input.cloud.len(), found.network.as_ref(), seconds) })
+}
+
+fn by_method(work: &Work, origin: &Origin, input: &Input) -> Result<Found, Failure> {
+    let found = work.extract(origin, input)?;
+    let lines = summary::of(input, &found, work.args.running.verbose);
+    Ok(Found { classes: found.classes(), scores: found.scores(), lines, network: Some(found.network) })
+}
+
+fn by_detector(work: &Work, origin: &Origin, input: &Input, detector: Detector) -> Result<Found, Failure> {
+    let found = marked(work, origin, input, &[detector])?;
+    let mut lines = vec![summary::points(input, &found.report), summary::resolution(&found.report)];
+    lines.extend(found.report.notes.iter().map(|note| format!("note: {note}")));
+    if work.args.running.verbose {
+        lines.extend(input.remarks.iter().map(|remark| format!("input: {remark}")));
+        lines.extend(found.report.settings.iter().map(|(key, value)| format!("chosen: {key}: {value}")));
+    }
+    Ok(Found { classes: found.classes(0), scores: found.scores(0), lines, network: None })
+}
+
+fn marked(work: &Work, origin: &Origin, input: &Input, detectors: &[Detector]) -> Result<Marked, Failure> {
+    mark(&input.cloud, &work.params, detectors).map_err(|e| Failure::from(e).at(origin.shown()))
+}
+
+fn attribute(every: &Marked, which: usize) -> Attribute {
+    let name = every.marks[which].0.name().replace('-', "_");
+    Attribute { name, values: Column::F32(every.scores(which)) }
 }
 
 fn counts(classes: &[u8]) -> String {

@@ -3,13 +3,14 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+use lineament::apply::render::View;
 use lineament::{Extraction, Params};
 use lineament_io::{NetworkContext, NetworkFormat, Parameter, ReadOptions, network_format, write_network};
 
 use crate::args::Extract;
 use crate::batch::Done;
 use crate::config::text;
-use crate::failure::Failure;
+use crate::failure::{Code, Failure};
 use crate::source::{self, Input, Origin};
 use crate::work::{self, Work};
 use crate::{outputs, summary};
@@ -22,16 +23,31 @@ pub fn run(args: &Extract) -> Result<(), Failure> {
     if source::is_list(&args.work.source) {
         return source::print_list();
     }
+    let view = view(&args.view)?;
     let work = work::prepare(&args.work, &args.output, &SUFFIXES, network_format)?;
-    work.each(|origin, outputs| one(&work, origin, outputs))
+    work.each(|origin, outputs| one(&work, origin, outputs, view, args.millimetres))
 }
 
-fn one(work: &Work, origin: &Origin, outputs: &[PathBuf]) -> Result<Done, Failure> {
+/// The direction in which drawings look; `None` for the best one.
+fn view(text: &str) -> Result<Option<[f64; 3]>, Failure> {
+    match View::parse(text).map_err(|e| Failure { code: Code::Usage, advice: None, ..e.into() })? {
+        View::Best => Ok(None),
+        View::From(from) => Ok(Some(from.map(|x| -x))),
+    }
+}
+
+fn one(
+    work: &Work,
+    origin: &Origin,
+    outputs: &[PathBuf],
+    view: Option<[f64; 3]>,
+    millimetres: Option<f64>,
+) -> Result<Done, Failure> {
     let start = Instant::now();
     let hash = outputs.iter().any(|path| matches!(network_format(path), Ok(NetworkFormat::Json)));
     let input = work.load(origin, &ReadOptions { attributes: false, hash, ..Default::default() })?;
     let found = work.extract(origin, &input)?;
-    let context = context(&input, &work.params, &found);
+    let context = NetworkContext { view, millimetres, ..context(&input, &work.params, &found) };
     let writing = Instant::now();
     for path in outputs {
         outputs::write(path, || write_network(path, &work.inputs, &found.network, &context))?;

@@ -8,7 +8,7 @@ use lineament::resolution::Resolution;
 use lineament::{Cloud, Column};
 use lineament_io::ReadOptions;
 
-use crate::args::{Info, Source};
+use crate::args::Info;
 use crate::batch;
 use crate::failure::Failure;
 use crate::source::{self, Input, Origin, print};
@@ -27,7 +27,7 @@ pub fn run(args: &Info) -> Result<(), Failure> {
     let origins = source::origins(&args.source)?;
     let mut failed = 0;
     for (i, origin) in origins.iter().enumerate() {
-        match described(origin, &args.source) {
+        match described(origin, args) {
             Ok(text) => print(&format!("{}{text}", if i > 0 { "\n" } else { "" }))?,
             Err(failure) if origins.len() == 1 => return Err(failure),
             Err(failure) => {
@@ -39,8 +39,9 @@ pub fn run(args: &Info) -> Result<(), Failure> {
     batch::partial(failed, origins.len())
 }
 
-fn described(origin: &Origin, source: &Source) -> Result<String, Failure> {
-    let input = origin.load(source, &ReadOptions::default())?;
+fn described(origin: &Origin, args: &Info) -> Result<String, Failure> {
+    let input =
+        origin.load(&args.source.reading, &ReadOptions { every: args.every, ..Default::default() })?;
     let mut text = String::new();
     file_lines(&mut text, &input);
     cloud_lines(&mut text, &input.cloud).map_err(|e| e.at(origin.shown()))?;
@@ -56,6 +57,9 @@ fn file_lines(text: &mut String, input: &Input) {
     if let Some((format, bytes)) = &input.format {
         line(text, "format", format);
         line(text, "bytes", grouped(*bytes as usize));
+    }
+    if let Some(crs) = &input.crs {
+        line(text, "reference", crs);
     }
     line(text, "points", grouped(input.cloud.len()));
     for attribute in &input.cloud.attributes {

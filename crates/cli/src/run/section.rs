@@ -4,25 +4,48 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use lineament::section::{self, SectionParams, Sections, Stack};
-use lineament_io::{ReadOptions, SectionContext, section_format, write_sections, write_slice_picture};
+use lineament_io::{
+    ReadOptions, SectionContext, SectionFormat, section_format, write_sections, write_slice_picture,
+};
 
+use crate::args::Running;
+use crate::batch::{self, Done};
 use crate::failure::{Code, Failure};
 use crate::section_args::{Section, Slices, Slicing};
-use crate::source::{self, Input};
+use crate::source::{self, Input, Origin};
 use crate::{args, config, outputs, summary};
+
+/// What a folder gets.
+const SUFFIXES: [&str; 2] = ["sections.json", "sections.dxf"];
+/// Heads of the table of many inputs.
+const HEADER: [&str; 6] = ["input", "points", "slices", "contours", "closed", "seconds"];
 
 /// Reads, slices, writes, and says what came of it.
 pub fn run(args: &Section) -> Result<(), Failure> {
     if source::is_list(&args.source) {
         return source::print_list();
     }
-    let start = Instant::now();
     config::threads(&args.running)?;
     let params = checked(&args.slicing)?;
-    outputs::check(&args.output, &source::files(&args.source), section_format)?;
-    let (input, sections) = cut(&args.source, &params)?;
+    let origins = source::origins(&args.source)?;
+    let inputs = source::files(&origins);
+    let plan = outputs::plan(&origins, &args.output, &SUFFIXES)?;
+    outputs::check(&plan, &inputs, section_format)?;
+    batch::run(&HEADER, &origins, &args.running, |i, origin| one(args, origin, &inputs, &plan[i], &params))
+}
+
+fn one(
+    args: &Section,
+    origin: &Origin,
+    inputs: &[PathBuf],
+    outputs: &[PathBuf],
+    params: &SectionParams,
+) -> Result<Done, Failure> {
+    let start = Instant::now();
+    let hash = outputs.iter().any(|path| matches!(section_format(path), Ok(SectionFormat::Json)));
+    let (input, sections) = cut(&args.source, origin, params, hash)?;
     let stack = if params.fit {
-        section::stack(&input.cloud, &sections).map_err(|e| Failure::from(e).at(&input.name))?
+        section::stack(&input.cloud, &sections).map_err(|e| Failure::from(e).at(origin.shown()))?
     } else {
         Stack::default()
     };
@@ -33,39 +56,50 @@ pub fn run(args: &Section) -> Result<(), Failure> {
         input_points: input.cloud.len() as u64,
         stack,
     };
-    for path in &args.output {
-        outputs::write(path, || write_sections(path, &input.files, &sections, &context))?;
+    for path in outputs {
+        outputs::write(path, || write_sections(path, inputs, &sections, &context))?;
     }
-    if !args.running.quiet {
-        report(&args.running, &input, &sections, &context.stack);
-        eprintln!("{:.2} s\n{}", start.elapsed().as_secs_f64(), summary::written(&args.output));
-    }
-    Ok(())
+    let mut lines = said(&args.running, &input, &sections, &context.stack);
+    lines.push(format!("{:.2} s", start.elapsed().as_secs_f64()));
+    lines.push(summary::written(outputs));
+    Ok(Done { lines, row: row(&input, &sections, start) })
 }
 
-/// Writes a picture a slice.
+/// Writes a picture a slice. Of several inputs each gets a folder of its own, named after it.
 pub fn slices(args: &Slices) -> Result<(), Failure> {
     if source::is_list(&args.source) {
         return source::print_list();
     }
     config::threads(&args.running)?;
     let params = SectionParams { fit: false, ..checked(&args.slicing)? };
-    std::fs::create_dir_all(&args.output)
-        .map_err(|e| Failure::new(Code::Output, format!("{}: {e}", args.output.display())))?;
-    let (input, sections) = cut(&args.source, &params)?;
-    let pictures: Vec<PathBuf> = (0..sections.sections.len()).map(|k| picture(&args.output, k)).collect();
-    for (plane, path) in pictures.iter().enumerate() {
-        outputs::write(path, || write_slice_picture(path, &input.files, &sections, plane))?;
-    }
-    if !args.running.quiet {
-        report(&args.running, &input, &sections, &Stack::default());
-        eprintln!("wrote {} to {}", summary::plural(pictures.len(), "picture"), args.output.display());
-    }
-    Ok(())
+    let origins = source::origins(&args.source)?;
+    let inputs = source::files(&origins);
+    batch::run(&HEADER, &origins, &args.running, |_, origin| {
+        let folder = if origins.len() > 1 { args.output.join(origin.stem()) } else { args.output.clone() };
+        pictures(args, origin, &inputs, &folder, &params)
+    })
 }
 
-fn picture(folder: &Path, plane: usize) -> PathBuf {
-    folder.join(format!("slice_{plane:04}.svg"))
+fn pictures(
+    args: &Slices,
+    origin: &Origin,
+    inputs: &[PathBuf],
+    folder: &Path,
+    params: &SectionParams,
+) -> Result<Done, Failure> {
+    let start = Instant::now();
+    let (input, sections) = cut(&args.source, origin, params, false)?;
+    std::fs::create_dir_all(folder).map_err(|e| {
+        Failure::new(Code::Output, format!("{}: cannot make the folder: {e}", folder.display()))
+    })?;
+    for plane in 0..sections.sections.len() {
+        let path = folder.join(format!("slice_{plane:04}.svg"));
+        outputs::write(&path, || write_slice_picture(&path, inputs, &sections, plane))?;
+    }
+    let mut lines = said(&args.running, &input, &sections, &Stack::default());
+    let count = summary::plural(sections.sections.len(), "picture");
+    lines.push(format!("wrote {count} to {}", folder.display()));
+    Ok(Done { lines, row: row(&input, &sections, start) })
 }
 
 fn checked(slicing: &Slicing) -> Result<SectionParams, Failure> {
@@ -74,33 +108,46 @@ fn checked(slicing: &Slicing) -> Result<SectionParams, Failure> {
     Ok(params)
 }
 
-fn cut(source: &args::Source, params: &SectionParams) -> Result<(Input, Sections), Failure> {
-    let input = source::load(source, &ReadOptions { attributes: false, hash: true, ..Default::default() })?;
-    let sections = section::section(&input.cloud, params).map_err(|e| Failure::from(e).at(&input.name))?;
+fn cut(
+    source: &args::Source,
+    origin: &Origin,
+    params: &SectionParams,
+    hash: bool,
+) -> Result<(Input, Sections), Failure> {
+    let input =
+        origin.load(&source.reading, &ReadOptions { attributes: false, hash, ..Default::default() })?;
+    let sections = section::section(&input.cloud, params).map_err(|e| Failure::from(e).at(origin.shown()))?;
     Ok((input, sections))
 }
 
-fn report(running: &args::Running, input: &Input, sections: &Sections, stack: &Stack) {
-    let contours = sections.contours().count();
-    let closed = sections.contours().filter(|(_, c)| c.closed).count();
-    eprintln!(
-        "{}: {} points, spacing {}, noise {:.2} spacings",
-        input.name,
-        summary::grouped(input.cloud.len()),
-        summary::figure(sections.spacing),
-        sections.noise
-    );
+fn closed(sections: &Sections) -> usize {
+    sections.contours().filter(|(_, contour)| contour.closed).count()
+}
+
+fn row(input: &Input, sections: &Sections, start: Instant) -> Vec<String> {
+    let counts = [input.cloud.len(), sections.sections.len(), sections.contours().count(), closed(sections)];
+    let seconds = format!("{:.2}", start.elapsed().as_secs_f64());
+    counts.map(summary::grouped).into_iter().chain([seconds]).collect()
+}
+
+fn said(running: &Running, input: &Input, sections: &Sections, stack: &Stack) -> Vec<String> {
+    let points = summary::plural(input.cloud.len(), "point");
+    let spacing = summary::figure(sections.spacing);
+    let mut lines =
+        vec![format!("{}: {points}, spacing {spacing}, noise {:.2} spacings", input.name, sections.noise)];
+    lines.extend(input.missing.iter().map(|missing| format!("warning: {missing}")));
     let slices = summary::plural(sections.sections.len(), "slice");
-    eprintln!("{slices}, {}, {closed} closed", summary::plural(contours, "contour"));
-    for section in &sections.sections {
-        if let Some(missing) = section.missing {
-            eprintln!("slice {} at {}: {}", section.plane, summary::figure(section.height), missing.reason());
-        }
-    }
-    let verbose = running.verbose || stack.runs.len() <= 20;
-    for run in stack.runs.iter().filter(|_| verbose) {
+    let contours = summary::plural(sections.contours().count(), "contour");
+    lines.push(format!("{slices}, {contours}, {} closed", summary::grouped(closed(sections))));
+    lines.extend(sections.sections.iter().filter_map(|section| {
+        let height = summary::figure(section.height);
+        Some(format!("slice {} at {height}: {}", section.plane, section.missing?.reason()))
+    }));
+    let shows_runs = running.verbose || stack.runs.len() <= 20;
+    lines.extend(stack.runs.iter().filter(|_| shows_runs).map(|run| {
         let hole = if run.hole { " hole" } else { "" };
         let (from, to) = (summary::figure(run.from), summary::figure(run.to));
-        eprintln!("{}{hole} from {from} to {to}: {} slices", run.feature.name(), run.contours.len());
-    }
+        format!("{}{hole} from {from} to {to}: {} slices", run.feature.name(), run.contours.len())
+    }));
+    lines
 }

@@ -3,8 +3,8 @@
 //!
 //! Two forms. [`paper`] is as printed. [`robust`], the default, departs where the paper is fragile: see there.
 
-mod align;
-mod border;
+pub(crate) mod align;
+pub(crate) mod border;
 pub mod paper;
 pub mod robust;
 mod sharpness;

@@ -86,8 +86,13 @@ fn sides(band: &Band, arc: f64, noise: f64, (low, high): (f64, f64)) -> Option<(
     if !band.chain.closed && (arc < 1.2 * h || arc > band.length - 1.2 * h) {
         return None;
     }
-    let before = regress(band, arc, far, low.max(arc - far), arc - near)?;
-    let after = regress(band, arc, far, arc + near, high.min(arc + far))?;
+    // The arc of a corner is known to half a step: what lies beside it may still belong to its other side.
+    let (low, high) = ((low + 0.75 * h).max(arc - far), (high - 0.75 * h).min(arc + far));
+    if arc - near - low < 0.8 * h || high - near - arc < 0.8 * h {
+        return None;
+    }
+    let before = regress(band, arc, far, low, arc - near)?;
+    let after = regress(band, arc, far, arc + near, high)?;
     Some((before, after, h))
 }
 

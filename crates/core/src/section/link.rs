@@ -91,7 +91,7 @@ fn candidates(nodes: &[Node]) -> Vec<Link> {
             let step = sub(b.at, a.at);
             let length = dot(step, step).sqrt();
             let (ca, cb) = (dot(a.tangent, step) / length, -dot(b.tangent, step) / length);
-            if a.weak != b.weak || !(length > 0.0) || ca.abs() < STRAIGHT || cb.abs() < STRAIGHT {
+            if a.weak != b.weak || length <= 0.0 || ca.abs() < STRAIGHT || cb.abs() < STRAIGHT {
                 continue;
             }
             let spacing = 0.5 * (a.spacing + b.spacing);
@@ -242,7 +242,10 @@ fn straight(e: &End, f: &End, gap: f64, spacing: f64, reach: f64) -> Option<f64>
     fits.then_some((gap + aside) / spacing)
 }
 
-fn splice(chains: Vec<Chain>, ends: &[End], mate: &[Option<(usize, Option<[f64; 2]>)>]) -> Vec<Chain> {
+/// The end that an end is joined to, and the corner between them.
+type Mate = Option<(usize, Option<[f64; 2]>)>;
+
+fn splice(chains: Vec<Chain>, ends: &[End], mate: &[Mate]) -> Vec<Chain> {
     // Ends come in pairs: `e` and `e ^ 1` belong to one chain.
     let mut seen = vec![false; ends.len() / 2];
     let mut result: Vec<Chain> = chains.iter().filter(|c| c.closed).cloned().collect();
@@ -256,13 +259,7 @@ fn splice(chains: Vec<Chain>, ends: &[End], mate: &[Option<(usize, Option<[f64; 
     result
 }
 
-fn follow(
-    chains: &[Chain],
-    ends: &[End],
-    mate: &[Option<(usize, Option<[f64; 2]>)>],
-    start: usize,
-    seen: &mut [bool],
-) -> Chain {
+fn follow(chains: &[Chain], ends: &[End], mate: &[Mate], start: usize, seen: &mut [bool]) -> Chain {
     let mut vertices: Vec<Vertex> = Vec::new();
     let mut entry = start;
     let mut closed = false;

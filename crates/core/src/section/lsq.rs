@@ -5,6 +5,7 @@
 
 use super::band::Band;
 use super::link::{Chain, Vertex};
+use super::vec2::along;
 
 /// Pull of a knot towards its own feature point: holds knots that no mark lies near.
 const HOLD: f64 = 0.05;
@@ -68,10 +69,8 @@ impl System {
         self.diagonal[a] += weights[0] * weights[0];
         self.diagonal[b] += weights[1] * weights[1];
         self.upper[a] += weights[0] * weights[1];
-        for axis in 0..2 {
-            self.right[a][axis] += weights[0] * point[axis];
-            self.right[b][axis] += weights[1] * point[axis];
-        }
+        self.right[a] = along(self.right[a], point, weights[0]);
+        self.right[b] = along(self.right[b], point, weights[1]);
     }
 
     /// Thomas elimination; the cyclic corner by the Sherman-Morrison formula.
@@ -108,15 +107,11 @@ fn thomas(diagonal: &[f64], upper: &[f64], right: &[[f64; 2]]) -> Vec<[f64; 2]> 
     for k in 1..n {
         let factor = upper[k - 1] / pivots[k - 1];
         pivots[k] -= factor * upper[k - 1];
-        for axis in 0..2 {
-            solved[k][axis] -= factor * solved[k - 1][axis];
-        }
+        solved[k] = along(solved[k], solved[k - 1], -factor);
     }
     for k in (0..n).rev() {
-        for axis in 0..2 {
-            let later = if k + 1 < n { upper[k] * solved[k + 1][axis] } else { 0.0 };
-            solved[k][axis] = (solved[k][axis] - later) / pivots[k];
-        }
+        let later = if k + 1 < n { along(solved[k], solved[k + 1], -upper[k]) } else { solved[k] };
+        solved[k] = later.map(|x| x / pivots[k]);
     }
     solved
 }

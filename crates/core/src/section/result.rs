@@ -155,7 +155,7 @@ pub(crate) fn contours(chains: Vec<Chain>, tolerance: Option<f64>) -> Vec<Contou
 
 fn contour(mut chain: Chain, parent: Option<usize>, depth: usize, tolerance: Option<f64>) -> Contour {
     let points = |c: &Chain| c.vertices.iter().map(|v| v.at).collect::<Vec<_>>();
-    let wanted = if depth % 2 == 0 { 1.0 } else { -1.0 };
+    let wanted = if depth.is_multiple_of(2) { 1.0 } else { -1.0 };
     if nest::measure(&points(&chain), chain.closed).area * wanted < 0.0 {
         chain.vertices.reverse();
     }

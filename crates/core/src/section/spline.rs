@@ -46,7 +46,7 @@ fn parameters(points: &[[f64; 2]]) -> Vec<f64> {
 fn least_squares(points: &[[f64; 2]], spans: usize) -> Option<(Spline, Vec<f64>)> {
     let t = parameters(points);
     let length = t[t.len() - 1];
-    if !(length > 0.0) {
+    if length <= 0.0 {
         return None;
     }
     let knots = knots(&t, spans);
@@ -124,7 +124,7 @@ fn cholesky(mut band: Vec<[f64; DEGREE + 1]>, mut right: Vec<[f64; 2]>) -> Optio
         row[0] += 1e-9;
     }
     for k in 0..n {
-        if !(band[k][0] > 0.0) {
+        if band[k][0] <= 0.0 || band[k][0].is_nan() {
             return None;
         }
         for i in 1..=DEGREE.min(n - 1 - k) {

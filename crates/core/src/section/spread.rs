@@ -68,7 +68,7 @@ fn least(tensor: &[f64; 6]) -> (f64, [f64; 3]) {
         let all = eigen3(tensor);
         (all.values[0], all.vectors[0])
     };
-    if !(half > 1e-12 * mean) {
+    if half <= 1e-12 * mean || !half.is_finite() {
         return exact();
     }
     let determinant = a * (b * c - yz * yz) - xy * (xy * c - yz * xz) + xz * (xy * yz - b * xz);
@@ -78,7 +78,7 @@ fn least(tensor: &[f64; 6]) -> (f64, [f64; 3]) {
     let products = [(0, 1), (0, 2), (1, 2)].map(|(i, j)| vec3::cross(rows[i], rows[j]));
     let lengths = products.map(|p| vec3::dot(p, p));
     let best = (0..3).fold(0, |m, k| if lengths[k] > lengths[m] { k } else { m });
-    if !(lengths[best] > 1e-16 * square * square) {
+    if lengths[best] <= 1e-16 * square * square {
         return exact();
     }
     (value, vec3::scale(products[best], 1.0 / lengths[best].sqrt()))

@@ -159,7 +159,7 @@ fn patch(spread: &Spread, spacing: f64) -> Patch {
 fn anchored(points: &[[f64; 3]], i: u32, ids: &[u32], first: &Patch, noise: f64) -> Patch {
     let own = points[i as usize];
     let reach = (3.0 * noise + 0.3) * first.spacing;
-    if !(reach > 0.0) {
+    if reach <= 0.0 {
         return *first;
     }
     let mut best = *first;

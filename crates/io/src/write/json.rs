@@ -118,7 +118,7 @@ impl fmt::Display for Point<'_> {
     }
 }
 
-pub(super) struct Index(Option<u32>);
+pub(super) struct Index(pub(super) Option<u32>);
 
 impl fmt::Display for Index {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -128,7 +128,8 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
         write_points_to(&mut bytes, format, &table).unwrap();
         seeds.push((format!("seed.{extension}"), bytes));
     }
-    for format in [lineament_io::NetworkFormat::Ply, lineament_io::NetworkFormat::Obj] {
+    use lineament_io::NetworkFormat;
+    for format in [NetworkFormat::Ply, NetworkFormat::Obj, NetworkFormat::Glb] {
         let mut bytes = Vec::new();
         lineament_io::write_network_to(&mut bytes, format, &network(), &Default::default()).unwrap();
         seeds.push((format!("lines.{format}"), bytes));

@@ -35,17 +35,17 @@ const MOST_PENALTY: f64 = 0.75;
 /// Sine of half the fold from which on one face hides the other, and an opening is none: 108 degrees.
 const ACUTE: f64 = 0.809;
 /// Evidence at which a single point is known to lie on a round, whatever the rest of its chain says.
-const CLEARLY_SMOOTH: f32 = -4.0;
+pub(crate) const CLEARLY_SMOOTH: f32 = -4.0;
 
 /// What every point needs to know.
-struct Context<'a> {
-    points: &'a [[f64; 3]],
-    graph: &'a Neighbors,
-    normals: Normals,
-    resolution: Resolution,
-    hops: usize,
+pub(crate) struct Context<'a> {
+    pub(crate) points: &'a [[f64; 3]],
+    pub(crate) graph: &'a Neighbors,
+    pub(crate) normals: Normals,
+    pub(crate) resolution: Resolution,
+    pub(crate) hops: usize,
     /// Sine of half the fold at which a crease becomes one.
-    least_fold: f64,
+    pub(crate) least_fold: f64,
 }
 
 /// What a block of points yields: a row each, and the candidates among them.
@@ -137,7 +137,7 @@ impl Context<'_> {
     }
 
     /// Correlation tensor of the normals around point `i`, and `sum w n (n . (q - p))`, both over the sum of weights.
-    fn normal_tensor(&self, i: usize, near: &[u32]) -> (Eigen3, [f64; 3]) {
+    pub(crate) fn normal_tensor(&self, i: usize, near: &[u32]) -> (Eigen3, [f64; 3]) {
         let (mut tensor, mut pull, mut total) = ([0.0; 6], [0.0; 3], 0.0);
         for j in near.iter().map(|&j| j as usize).chain([i]) {
             let normal = self.normals.vectors[j].map(f64::from);
@@ -151,7 +151,7 @@ impl Context<'_> {
         (eigen3(&tensor.map(|x| x * inverse)), scale(pull, inverse))
     }
 
-    fn crease(
+    pub(crate) fn crease(
         &self,
         i: usize,
         tensor: &Eigen3,

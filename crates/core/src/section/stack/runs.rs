@@ -7,8 +7,8 @@ use super::profile::Profile;
 use super::track::Track;
 use super::{Feature, Repeat, Run};
 
-/// Fewest slices of a taper or revolution: two always agree.
-const LEAST: usize = 3;
+/// Fewest slices of a taper or revolution: two always agree, and a third may by chance.
+const LEAST: usize = 4;
 
 /// A run with its lowest, middle and highest contour.
 pub(super) struct Found<'a> {
@@ -26,7 +26,7 @@ pub(super) fn runs<'a>(track: &Track<'a>, sections: &Sections, tolerance: f64) -
         let best = settled_extrusion(all, first, tolerance).or_else(|| {
             let rest = &all[..next_extrusion(all, first, tolerance)];
             let taper = reach(rest, first, LEAST, |p| taper(p, tolerance));
-            let turned = reach(rest, first, LEAST + 1, |p| revolution(p, tolerance));
+            let turned = reach(rest, first, LEAST, |p| revolution(p, tolerance));
             [taper, turned].into_iter().flatten().reduce(|a, b| if b.0 > a.0 { b } else { a })
         });
         let Some((last, feature, residual)) = best else {

@@ -1,0 +1,93 @@
+//! Values of options that are more than a word.
+
+use lineament::detect::baselines::Detector;
+use lineament_io::Format;
+
+/// `KEY=VALUE`.
+pub fn setting(text: &str) -> Result<(String, String), String> {
+    let (key, value) = text.split_once('=').ok_or("write KEY=VALUE, such as penalty.gamma=0.4")?;
+    Ok((key.trim().into(), value.trim().into()))
+}
+
+/// The name of a detector.
+pub fn detector(text: &str) -> Result<Detector, String> {
+    let names = || Detector::ALL.map(Detector::name).join(", ");
+    Detector::named(text).ok_or_else(|| format!("the detectors are {}", names()))
+}
+
+/// Six numbers, the least corner and the greatest.
+pub fn bounds(text: &str) -> Result<[[f64; 3]; 2], String> {
+    let numbers: Option<Vec<f64>> = text.split(',').map(|t| t.trim().parse().ok()).collect();
+    match numbers.as_deref() {
+        Some(&[a, b, c, d, e, f]) if a <= d && b <= e && c <= f => Ok([[a, b, c], [d, e, f]]),
+        _ => Err("write the least and the greatest corner as six numbers: X,Y,Z,X,Y,Z".into()),
+    }
+}
+
+/// A whole number from 1 on.
+pub fn count(text: &str) -> Result<usize, String> {
+    text.parse().ok().filter(|&n| n > 0).ok_or_else(|| "a whole number from 1 on was expected".into())
+}
+
+/// A number above 0.
+pub fn length(text: &str) -> Result<f64, String> {
+    let length = text.parse().ok().filter(|&x: &f64| x > 0.0 && x.is_finite());
+    length.ok_or_else(|| "a number above 0 was expected".into())
+}
+
+/// The name or an extension of a format that is read.
+pub fn format(text: &str) -> Result<Format, String> {
+    Format::parse(text).ok_or_else(|| "not a format that is read; try ply, xyz, las, e57, ...".into())
+}
+
+/// A number of bytes, with K, M, G or T for powers of 1024.
+pub fn bytes(text: &str) -> Result<u64, String> {
+    let units = [('K', 1u64 << 10), ('M', 1 << 20), ('G', 1 << 30), ('T', 1 << 40)];
+    let unit = units.iter().find(|(letter, _)| text.ends_with([*letter, letter.to_ascii_lowercase()]));
+    let (digits, factor) = unit.map_or((text, 1), |(_, factor)| (&text[..text.len() - 1], *factor));
+    let bytes = digits.parse::<u64>().ok().and_then(|n| n.checked_mul(factor));
+    bytes.ok_or_else(|| "write a number of bytes, such as 500M or 4G".into())
+}
+
+/// `WIDTHxHEIGHT`.
+pub fn size(text: &str) -> Result<(usize, usize), String> {
+    let sides = text.split_once(['x', 'X']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+    sides.ok_or_else(|| "write WIDTHxHEIGHT in pixels, such as 1600x1200".into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_split_at_the_first_equals_sign() {
+        assert_eq!(setting("a.b = c=d"), Ok(("a.b".into(), "c=d".into())));
+        assert!(setting("a.b").is_err());
+    }
+
+    #[test]
+    fn bounds_are_two_corners_in_order() {
+        assert_eq!(bounds("-1,0,2,3.5,0,1e3"), Ok([[-1.0, 0.0, 2.0], [3.5, 0.0, 1e3]]));
+        for bad in ["", "1,2,3", "1,0,0,0,1,1", "nan,0,0,1,1,1", "0,0,0,1,1,1,1"] {
+            assert!(bounds(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn bytes_have_units() {
+        assert_eq!(bytes("500"), Ok(500));
+        assert_eq!(bytes("4G"), Ok(4 << 30));
+        assert_eq!(bytes("64m"), Ok(64 << 20));
+        for bad in ["", "G", "-1", "1.5G", "99999999999T"] {
+            assert!(bytes(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn sizes_are_width_by_height() {
+        assert_eq!(size("800x600"), Ok((800, 600)));
+        for bad in ["800", "x", "800x", "8x6x4", "-8x6", "800x6.5"] {
+            assert!(size(bad).is_err(), "{bad}");
+        }
+    }
+}

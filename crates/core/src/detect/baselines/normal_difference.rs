@@ -1,0 +1,16 @@
+//! How far the normals around a point differ from its own.
+
+use super::SCALE;
+use crate::detect::projection::scales::at_every_scale;
+use crate::math::vec3::dot;
+
+/// `(N)` mean angle between the normal of a point and those of its 16 nearest neighbours, none of them oriented: radians,
+/// 0 to pi/2. Normals are those of Hoppe 1992 at the same scale.
+pub(super) fn mean_angle(points: &[[f64; 3]]) -> Vec<f32> {
+    let normals = at_every_scale(points, |_, _, scales| scales[SCALE.1].normal);
+    at_every_scale(points, |i, nearest, _| {
+        let near = &nearest[..SCALE.0.min(nearest.len())];
+        let angle = |&j: &u32| dot(normals[i], normals[j as usize]).abs().min(1.0).acos();
+        (near.iter().map(angle).sum::<f64>() / near.len() as f64) as f32
+    })
+}

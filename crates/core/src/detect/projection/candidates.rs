@@ -1,0 +1,140 @@
+//! From marked points to candidates of the minimum spanning graph.
+//!
+//! Not in Tran 2013, which ends with points; which of them are *marked* is the paper's affair and not touched here. Candidates
+//! are the marked points and those beside them that come halfway to the threshold, so that a line is not cut where the
+//! sampling keeps off the edge. A candidate's scalar penalty is one less its normalised score. Direction, foot and angle come
+//! from the tensor of the normals around it, by the code of the robust penalties, with two differences: a neighbour counts
+//! the less the sharper it is itself, as its plane is that of no face; and of a band that is left beside the feet only the
+//! ridge of the score is kept. From there comes also the evidence that tells a fold from a round, without which a linker
+//! would make lines of all the points that a threshold marks on a sphere.
+//!
+//! A border stands in its own plane and has no projected distance: Tran's method marks none. Border lines are those of the
+//! robust penalties; they have no part in the marks.
+
+use super::{Projection, project};
+use crate::detect::fold::CrossSection;
+use crate::detect::marks::Marks;
+use crate::detect::normals::normals;
+use crate::detect::penalty::align::align;
+use crate::detect::penalty::border::{border, may_be_border};
+use crate::detect::penalty::robust::{CLEARLY_SMOOTH, Context};
+use crate::detect::penalty::{density, derive};
+use crate::math::vec3::{dot, norm, sub};
+use crate::measure::{Direction, Measure, Penalties, Row};
+use crate::neighbors::{Neighbors, riemannian::Scratch};
+use crate::params::Params;
+use crate::resolution::Resolution;
+use rayon::prelude::*;
+
+/// Share of the threshold that makes the neighbour of a marked point a candidate.
+const BESIDE: f64 = 0.5;
+/// Share of the fold of a crease, both as sines of the half angle, below which no line is looked for; as in the robust
+/// penalties.
+const LEAST_FOLDED: f64 = 0.5;
+/// Sine of half the fold from which on one face may hide the other: an opening there is no border; as in the robust
+/// penalties.
+const ACUTE: f64 = 0.809;
+/// Feet are one line up to the lesser and two lines from the greater distance across it, spacings.
+const BAND: (f64, f64) = (0.3, 1.5);
+/// A foot lies across the line rather than along it when its offset is within 45 degrees of across.
+const ACROSS: f64 = std::f64::consts::FRAC_1_SQRT_2;
+/// Certainty of direction below which a point is near a corner and has no across.
+const NO_DIRECTION: f64 = 0.5;
+
+/// The method's measure: marks as classes, and as candidates the ridges of the marked bands. `points` in canonical order,
+/// local frame; `graph` is the Riemannian graph.
+pub fn measure(points: &[[f64; 3]], graph: &Neighbors, resolution: Resolution, params: &Params) -> Measure {
+    let Projection { marks, normal, .. } = project(points, resolution, &params.projection);
+    let derived = derive(&params.penalty, resolution);
+    let mut faces = normals(points, graph, derived.hops, resolution);
+    faces.support = marks.score.iter().map(|s| (1.0 - s).powi(2)).collect();
+    let context = Context {
+        points,
+        graph,
+        normals: faces,
+        resolution,
+        hops: derived.hops,
+        least_fold: (0.5 * params.penalty.fold_deg.to_radians()).sin(),
+    };
+    let rows = rows(&context, &marks);
+    let folds: Vec<(u32, Row)> = rows.iter().filter_map(|r| Some((r.0, r.1?))).collect();
+    let mut crease = Penalties { share: derived.alpha, direction: Direction::Across, ..Default::default() };
+    for fold in folds.iter().filter(|fold| is_ridge(graph, resolution, &marks, &folds, fold)) {
+        crease.push(fold.0, fold.1);
+    }
+    // As in the robust penalties: feet scatter with the noise, and a band of them is as wide.
+    let (unit, blur) = (resolution.unit(), (4.0 * resolution.noise).min(2.0 * resolution.unit()));
+    align(graph, &mut crease, derived.hops.max(2), blur, blur);
+    let mut border =
+        Penalties { share: params.penalty.gamma, direction: Direction::Across, ..Default::default() };
+    rows.iter().filter_map(|r| Some((r.0, r.2?))).for_each(|(i, row)| border.push(i, row));
+    align(graph, &mut border, 2, 2.0 * unit, 2.0 * unit);
+    Measure {
+        density: (0..points.len()).into_par_iter().map(|i| density(points, graph, i) as f32).collect(),
+        class: marks.classes(),
+        score: marks.score,
+        normal,
+        crease,
+        border,
+    }
+}
+
+/// A point that may lie on a crease, on a border, or on either.
+type Candidate = (u32, Option<Row>, Option<Row>);
+
+/// The candidates of creases where the surface folds, and those of borders, ascending, with their penalties.
+fn rows(context: &Context, marks: &Marks) -> Vec<Candidate> {
+    let row = |(scratch, section, angles): &mut (Scratch, CrossSection, Vec<f64>), i| {
+        let wide = context.graph.hops(i, context.hops.max(2), scratch);
+        let border = may_be_border(context.points, i, context.graph.of(i))
+            .then(|| border(context.points, i, wide, context.resolution, angles))
+            .flatten();
+        let is_crease = is_candidate(context.graph, marks, i);
+        if !is_crease && border.is_none() {
+            return None;
+        }
+        let near = context.graph.hops(i, context.hops.max(2) - 1, scratch);
+        let (tensor, pull) = context.normal_tensor(i, near);
+        let fold = tensor.values[1].max(0.0).sqrt();
+        let wide = context.graph.hops(i, context.hops.max(2), scratch);
+        let penalty = 1.0 - f64::from(marks.score[i]);
+        let crease = (is_crease && fold > LEAST_FOLDED * context.least_fold)
+            .then(|| context.crease(i, &tensor, pull, penalty, wide, section))
+            .filter(|row| row.evidence > CLEARLY_SMOOTH);
+        Some((i as u32, crease, border.filter(|_| fold < ACUTE)))
+    };
+    let every = (0..context.points.len()).into_par_iter().with_min_len(1024);
+    every.map_init(Default::default, row).collect::<Vec<Option<Candidate>>>().into_iter().flatten().collect()
+}
+
+fn is_candidate(graph: &Neighbors, marks: &Marks, i: usize) -> bool {
+    marks.is_marked(i)
+        || (f64::from(marks.score[i]) > BESIDE * marks.threshold
+            && graph.of(i).iter().any(|&j| marks.is_marked(j as usize)))
+}
+
+/// Whether no neighbour's foot across the line scores higher, or as high with a lesser index.
+fn is_ridge(
+    graph: &Neighbors,
+    resolution: Resolution,
+    marks: &Marks,
+    folds: &[(u32, Row)],
+    (own, row): &(u32, Row),
+) -> bool {
+    let direction = row.vector.map(f64::from);
+    let certainty = norm(direction);
+    if certainty < NO_DIRECTION {
+        return true;
+    }
+    let score = |i: u32| marks.score[i as usize];
+    let higher = |j: u32| score(j) > score(*own) || (score(j) == score(*own) && j < *own);
+    let band = BAND.0 * resolution.unit()..BAND.1 * resolution.unit();
+    let beside = |other: &Row| {
+        let offset = sub(other.foot, row.foot);
+        let (length, along) = (norm(offset), dot(offset, direction) / certainty);
+        let across = (length * length - along * along).max(0.0).sqrt();
+        across > ACROSS * length && band.contains(&across)
+    };
+    let near = graph.of(*own as usize).iter().filter(|&&j| higher(j));
+    !near.filter_map(|j| folds.binary_search_by_key(j, |f| f.0).ok()).any(|k| beside(&folds[k].1))
+}

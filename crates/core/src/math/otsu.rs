@@ -1,0 +1,104 @@
+//! Otsu's threshold: the cut of a histogram that leaves its two sides furthest apart.
+//!
+//! N. Otsu, *A Threshold Selection Method from Gray-Level Histograms*, IEEE Transactions on Systems, Man, and Cybernetics
+//! 9 (1979), 62-66. Counts are integers, so that the order of the values has no say.
+
+/// Where a histogram is cut, and how well.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Otsu {
+    /// Values above this are of the upper class. It lies on the border of two bins.
+    pub threshold: f64,
+    /// Share of the variance that the two classes explain, 0 to 1 (Otsu's eta).
+    pub separability: f64,
+}
+
+/// Cuts the histogram of `values` over `[0, 1]` in `bins` equal bins; values outside count in the outer bins, those that
+/// are not finite not at all. Where several cuts are equally good, as in a gap of the histogram, the middle one counts.
+///
+/// `None` when all values fall into one bin: there is nothing to cut.
+pub fn otsu(values: &[f32], bins: usize) -> Option<Otsu> {
+    let mut counts = vec![0u64; bins.max(2)];
+    let bins = counts.len();
+    for &value in values.iter().filter(|v| v.is_finite()) {
+        counts[bin(value, bins)] += 1;
+    }
+    let total = counts.iter().sum::<u64>() as f64;
+    let centre = |b: usize| (b as f64 + 0.5) / bins as f64;
+    let mean = counts.iter().enumerate().map(|(b, &n)| n as f64 * centre(b)).sum::<f64>() / total;
+    let (mut below, mut moment) = (0.0, 0.0);
+    let (mut first, mut last, mut best) = (0, 0, 0.0);
+    for (b, &count) in counts.iter().enumerate() {
+        below += count as f64 / total;
+        moment += count as f64 / total * centre(b);
+        let share = below * (1.0 - below);
+        // A share this small is a sum that rounding keeps from being one: all values are below.
+        let between = if share > 1e-12 { (mean * below - moment).powi(2) / share } else { 0.0 };
+        if between > best * (1.0 + 1e-9) {
+            (first, last, best) = (b, b, between);
+        } else if between > best * (1.0 - 1e-9) {
+            last = b;
+        }
+    }
+    let variance =
+        counts.iter().enumerate().map(|(b, &n)| n as f64 * (centre(b) - mean).powi(2)).sum::<f64>();
+    (best > 0.0).then(|| Otsu {
+        threshold: (0.5 * (first + last) as f64 + 1.0) / bins as f64,
+        separability: best * total / variance,
+    })
+}
+
+fn bin(value: f32, bins: usize) -> usize {
+    // The cast takes what is below zero to zero.
+    ((f64::from(value) * bins as f64) as usize).min(bins - 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_heaps_are_cut_in_the_middle_of_the_gap() {
+        let values: Vec<f32> = (0..90).map(|_| 0.1).chain((0..10).map(|_| 0.7)).collect();
+        let cut = otsu(&values, 256).unwrap();
+        assert!((cut.threshold - 0.4).abs() < 1.0 / 256.0, "{cut:?}");
+        assert!((cut.separability - 1.0).abs() < 1e-9, "{cut:?}");
+    }
+
+    #[test]
+    fn the_cut_is_the_best_of_all_by_trying_them() {
+        let mut state = 3u64;
+        let mut next = || {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (state >> 40) as f32 / (1u64 << 24) as f32
+        };
+        let values: Vec<f32> =
+            (0..500).map(|i| if i % 5 == 0 { 0.5 + 0.5 * next() } else { 0.6 * next() }).collect();
+        let within = |t: f64| {
+            let sides = [true, false].map(|up| {
+                let side: Vec<f64> = values
+                    .iter()
+                    .map(|&v| (bin(v, 64) as f64 + 0.5) / 64.0)
+                    .filter(|&c| (c > t) == up)
+                    .collect();
+                let mean = side.iter().sum::<f64>() / side.len().max(1) as f64;
+                side.iter().map(|x| (x - mean).powi(2)).sum::<f64>()
+            });
+            sides[0] + sides[1]
+        };
+        let least = (1..64).map(|b| within(b as f64 / 64.0)).fold(f64::INFINITY, f64::min);
+        assert!((within(otsu(&values, 64).unwrap().threshold) - least).abs() < 1e-9);
+    }
+
+    #[test]
+    fn values_in_one_bin_and_values_that_are_no_numbers_have_no_cut() {
+        assert_eq!(otsu(&[], 256), None);
+        assert_eq!(otsu(&[0.25; 10], 256), None);
+        assert_eq!(otsu(&[f32::NAN, f32::INFINITY, 0.5], 256), None);
+    }
+
+    #[test]
+    fn values_outside_count_in_the_outer_bins() {
+        let cut = otsu(&[-3.0, -2.0, 1.0, 7.0], 16).unwrap();
+        assert_eq!((cut.threshold, cut.separability), (0.5, 1.0));
+    }
+}
