@@ -10,6 +10,7 @@ use crate::network::Network;
 
 pub use isomorphism::isomorphic;
 pub use score::{Distances, Hits, Score, against};
+pub(crate) use strips::trace;
 
 /// States every invariant of a [`Network`].
 ///

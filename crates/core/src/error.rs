@@ -40,8 +40,10 @@ pub enum Error {
         /// The greatest number possible.
         limit: usize,
     },
-    /// Coordinates so far apart that differences of them overflow.
-    #[error("coordinates span from {min:e} to {max:e} on axis {axis}: the extent overflows")]
+    /// Coordinates so far apart, or so close together, that squares of their differences leave the range of f64.
+    #[error(
+        "coordinates span from {min:e} to {max:e} on axis {axis}: squares of such lengths leave the range of f64: scale the cloud"
+    )]
     Extent {
         /// 0 for x, 1 for y, 2 for z.
         axis: usize,

@@ -2,7 +2,7 @@
 
 use crate::detect::segments::steps::{self, Segmented};
 use crate::detect::{detect, penalty, projection};
-use crate::frame::{Frame, Localised};
+use crate::frame::{Frame, Localised, on_grid};
 use crate::link::clusters::{GraphStage, link_paper, link_robust};
 use crate::link::{Reach, link, reach};
 use crate::math::vec3::{cross, norm, sub};
@@ -123,6 +123,7 @@ pub fn extract_observed(
     let Localised { frame, positions, source, canonical, dropped, merged } =
         clock.run(Stage::Localise, || Frame::localise(world))?;
     refuse_degenerate(world.len(), &positions)?;
+    refuse_tiny(&frame, &positions)?;
 
     let (resolution, graph) = clock.run(Stage::Neighbors, || {
         let nearest = all_nearest(&positions, params.neighbors.k);
@@ -259,6 +260,19 @@ pub(crate) fn refuse_degenerate(read: usize, positions: &[[f64; 3]]) -> Result<(
     if off_line { Ok(()) } else { Err(Error::Collinear { distinct: positions.len() }) }
 }
 
+/// Spacings below this have squares that vanish in f64.
+const LEAST_SPACING: f64 = 1e-140;
+
+fn refuse_tiny(frame: &Frame, positions: &[[f64; 3]]) -> Result<(), Error> {
+    if frame.scale >= LEAST_SPACING {
+        return Ok(());
+    }
+    let side = |axis: usize| frame.length_to_world(positions.iter().map(|p| p[axis]).fold(0.0, f64::max));
+    let axis = (1..3).fold(0, |best, axis| if side(axis) > side(best) { axis } else { best });
+    let min = frame.offset[axis];
+    Err(Error::Extent { axis, min, max: min + side(axis) })
+}
+
 fn settings(params: &Params, resolution: Resolution, reach: crate::link::Reach) -> Vec<(String, String)> {
     let derived = penalty::derive(&params.penalty, resolution);
     vec![
@@ -281,15 +295,17 @@ fn notes(params: &Params, resolution: Resolution) -> Vec<String> {
 /// Positions into the world frame, sources into the order of the input.
 fn to_world(mut network: Network, frame: &Frame, source: &[u32]) -> Network {
     let unit = frame.length_to_world(1.0);
+    let placed = |p: [f64; 3]| frame.to_world(p.map(on_grid));
     for node in &mut network.nodes {
-        node.position = frame.to_world(node.position);
+        node.position = placed(node.position);
         node.source = source[node.source as usize];
     }
     for strip in &mut network.strips {
         for p in &mut strip.points {
-            *p = frame.to_world(*p);
+            *p = placed(*p);
         }
-        strip.curve = strip.curve.mapped(|p| frame.to_world(p), unit);
+        strip.points.dedup();
+        strip.curve = strip.curve.mapped(placed, unit);
         strip.deviation *= unit;
         for s in &mut strip.sources {
             *s = source[*s as usize];

@@ -85,6 +85,15 @@ impl Frame {
     }
 }
 
+/// Steps of the result's grid in one local unit.
+const GRID_STEPS: f64 = (1_u32 << 24) as f64;
+
+/// A local coordinate on a grid far below the noise of any scan. It leaves bits to add the frame's offset without
+/// rounding, so that a cloud moved by few-bit lengths has its result moved by just those.
+pub(crate) fn on_grid(local: f64) -> f64 {
+    (local * GRID_STEPS).round() / GRID_STEPS
+}
+
 /// The least and greatest finite coordinates on each axis.
 #[derive(Clone, Copy)]
 struct Bounds {

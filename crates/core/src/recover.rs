@@ -2,6 +2,7 @@
 
 mod nodes;
 mod strips;
+mod tidy;
 
 pub use strips::{Path, paths};
 
@@ -19,6 +20,7 @@ pub fn recover(pattern: &Pattern, resolution: Resolution, params: &SplineParams)
     for kind in [StripKind::Crease, StripKind::Border] {
         append(&mut network, kind, pattern.of(kind), resolution, params);
     }
+    tidy::tidy(&mut network);
     network
 }
 
@@ -42,17 +44,6 @@ fn append(
     for path in paths {
         let ends = path.ends.map(|[a, b]| [first + a, first + b]);
         network.strips.push(strip(network, kind, lines, &path, ends, resolution, params));
-        for node in ends.into_iter().flatten() {
-            network.nodes[node as usize].degree += 1;
-        }
-    }
-    for node in &mut network.nodes[first as usize..] {
-        node.kind = match node.degree {
-            0 => NodeKind::Apex,
-            1 => NodeKind::End,
-            2 => NodeKind::Corner,
-            _ => NodeKind::Junction,
-        };
     }
 }
 

@@ -59,14 +59,14 @@ fn number_faults(strip: &Strip) -> Vec<String> {
 /// Strips that are another strip once more: the same points from either end, or around a loop from any start.
 pub(super) fn twins(network: &Network) -> Vec<String> {
     let mut traces: Vec<(bool, Trace, usize)> =
-        network.strips.iter().enumerate().map(|(i, s)| (s.closed, canonical(s), i)).collect();
+        network.strips.iter().enumerate().map(|(i, s)| (s.closed, trace(s), i)).collect();
     traces.sort();
     let same = traces.windows(2).filter(|w| (w[0].0, &w[0].1) == (w[1].0, &w[1].1));
     same.map(|w| format!("strips {} and {}: the same points", w[0].2, w[1].2)).collect()
 }
 
 /// The least of the traces that say the same line.
-fn canonical(strip: &Strip) -> Trace {
+pub(crate) fn trace(strip: &Strip) -> Trace {
     let mut forwards: Trace = strip.points.iter().map(|p| p.map(|x| (x + 0.0).to_bits())).collect();
     if strip.closed {
         let least = (0..forwards.len()).min_by_key(|&i| forwards[i]).unwrap_or(0);

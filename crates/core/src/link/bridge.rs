@@ -183,10 +183,8 @@ fn meeting(a: &End, b: &End) -> Option<(f64, f64, [f64; 3])> {
 fn build(lines: &mut LineGraph, bridge: Bridge) {
     let loose = |lines: &LineGraph, v: u32| lines.edges[v as usize].len() == 1;
     match bridge {
-        Bridge::Edge(a, b) if loose(lines, a) && (loose(lines, b) || lines.edges[b as usize].len() > 1) => {
-            if !lines.edges[a as usize].contains(&b) {
-                lines.add_edge(a, b);
-            }
+        Bridge::Edge(a, b) if loose(lines, a) && !lines.edges[b as usize].is_empty() => {
+            lines.add_edge(a, b);
         }
         Bridge::Corner(a, b, at) if loose(lines, a) && loose(lines, b) => {
             let corner = lines.add_vertex(a, at);

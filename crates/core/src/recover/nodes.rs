@@ -4,8 +4,9 @@
 //! than the neighbourhood cannot be told from that, so they are contracted, and what they joined becomes one node.
 
 use super::strips::Path;
+use crate::frame::on_grid;
 use crate::math::union_find::UnionFind;
-use crate::math::vec3::{add, add_scaled, distance, scale};
+use crate::math::vec3::{add_scaled, distance, scale};
 use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
@@ -75,5 +76,6 @@ fn cluster(lines: &LineGraph, group: &[(u32, u32)]) -> Cluster {
             best = v;
         }
     }
-    Cluster { position: add([0.0; 3], scale(sum, 1.0 / total)), vertex: best }
+    // On the grid, so that crease and border agree on a place to the bit, whatever their weights.
+    Cluster { position: scale(sum, 1.0 / total).map(on_grid), vertex: best }
 }

@@ -1,0 +1,46 @@
+//! What crease and border pattern, or contracted junctions, say twice is said once.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::check::trace;
+use crate::network::{Network, NodeKind};
+
+/// Makes nodes at one place one node, keeps the first of strips with the same points, and counts what meets in each node.
+pub fn tidy(network: &mut Network) {
+    unite(network);
+    let mut seen = BTreeSet::new();
+    network.strips.retain(|strip| seen.insert((strip.closed, trace(strip))));
+    count(network);
+}
+
+fn unite(network: &mut Network) {
+    let mut places: BTreeMap<[u64; 3], u32> = BTreeMap::new();
+    let mut kept = Vec::new();
+    let mut number = Vec::new();
+    for node in std::mem::take(&mut network.nodes) {
+        let id = *places.entry(node.position.map(|x| (x + 0.0).to_bits())).or_insert(kept.len() as u32);
+        number.push(id);
+        if id as usize == kept.len() {
+            kept.push(node);
+        }
+    }
+    network.nodes = kept;
+    for end in network.strips.iter_mut().flat_map(|s| [&mut s.start, &mut s.end]).flatten() {
+        *end = number[*end as usize];
+    }
+}
+
+fn count(network: &mut Network) {
+    network.nodes.iter_mut().for_each(|node| node.degree = 0);
+    for end in network.strips.iter().flat_map(|s| [s.start, s.end]).flatten() {
+        network.nodes[end as usize].degree += 1;
+    }
+    for node in &mut network.nodes {
+        node.kind = match node.degree {
+            0 => NodeKind::Apex,
+            1 => NodeKind::End,
+            2 => NodeKind::Corner,
+            _ => NodeKind::Junction,
+        };
+    }
+}
