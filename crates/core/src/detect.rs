@@ -9,6 +9,7 @@ pub mod open_angle;
 pub mod penalty;
 pub mod points;
 pub mod projection;
+pub mod segments;
 pub mod tensor;
 
 use crate::measure::Measure;
@@ -20,6 +21,8 @@ use crate::resolution::Resolution;
 pub fn detect(points: &[[f64; 3]], graph: &Neighbors, resolution: Resolution, params: &Params) -> Measure {
     match params.method {
         Method::Penalty => penalty::penalty(points, graph, resolution, &params.penalty),
+        // Segmentation belongs to linking: its robust form looks at the penalties first.
+        Method::Segments => penalty::penalty(points, graph, resolution, &params.penalty),
         Method::Projection => projection::candidates::measure(points, graph, resolution, params),
     }
 }

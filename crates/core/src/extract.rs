@@ -1,12 +1,15 @@
 //! The pipeline: from a cloud to its feature network.
 
+use crate::detect::segments::steps::{self, Segmented};
 use crate::detect::{detect, penalty, projection};
 use crate::frame::{Frame, Localised, on_grid};
-use crate::link::{link, reach};
+use crate::link::clusters::{GraphStage, link_paper, link_robust};
+use crate::link::{Reach, link, reach};
 use crate::math::vec3::{cross, norm, sub};
 use crate::measure::{Class, Measure};
-use crate::neighbors::{all_nearest, riemannian};
+use crate::neighbors::{Neighbors, all_nearest, riemannian};
 use crate::network::Network;
+use crate::params::{SegmentForm, SegmentParams};
 use crate::pattern::Pattern;
 use crate::recover::recover;
 use crate::resolution::Resolution;
@@ -28,6 +31,8 @@ pub struct Extraction {
     pub measure: Measure,
     /// What the linker made of it, canonical indices, local frame.
     pub pattern: Pattern,
+    /// What the method `segments` went through, canonical indices, local frame; `None` with any other.
+    pub clusters: Option<ClusterStages>,
     /// The result, world frame, sources as indices of the input.
     pub network: Network,
 }
@@ -131,7 +136,8 @@ pub fn extract_observed(
     };
     let reach = reach(&params.spanning, params.penalty.form, positions.len());
     let mut measure = clock.run(Stage::Detect, || detect(&positions, &graph, resolution, params));
-    let pattern = clock.run(Stage::Link, || link(&graph, &measure, resolution, &params.spanning, reach));
+    let (pattern, clusters) =
+        clock.run(Stage::Link, || linked(&positions, &graph, &mut measure, resolution, params, reach));
     let network = clock.run(Stage::Recover, || recover(&pattern, resolution, &params.spline));
 
     if measure.class.is_empty() {
@@ -149,7 +155,7 @@ pub fn extract_observed(
         notes: notes(params, resolution),
     };
     let network = to_world(network, &frame, &source);
-    Ok(Extraction { report, frame, source, canonical, measure, pattern, network })
+    Ok(Extraction { report, frame, source, canonical, measure, pattern, clusters, network })
 }
 
 impl Extraction {
@@ -168,6 +174,60 @@ impl Extraction {
             .map(|&c| self.measure.score.get(c as usize).copied().unwrap_or(f32::NAN))
             .collect()
     }
+}
+
+/// The steps of the method `segments`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ClusterStages {
+    /// Clusters of points, and the time that it took to find them.
+    pub segmented: Segmented,
+    /// The graph after each step.
+    pub graphs: Vec<GraphStage>,
+}
+
+/// Links by the method asked for; the method `segments` also says what it went through.
+fn linked(
+    positions: &[[f64; 3]],
+    graph: &Neighbors,
+    measure: &mut Measure,
+    resolution: Resolution,
+    params: &Params,
+    reach: Reach,
+) -> (Pattern, Option<ClusterStages>) {
+    match params.method {
+        Method::Penalty | Method::Projection => {
+            (link(graph, measure, resolution, &params.spanning, reach), None)
+        }
+        Method::Segments => {
+            let (pattern, clusters) =
+                segmented(positions, graph, measure, resolution, &params.segments, reach);
+            (pattern, Some(clusters))
+        }
+    }
+}
+
+/// Demarsin's segmentation and closed graph (Demarsin et al. 2007, Algorithm 1).
+fn segmented(
+    positions: &[[f64; 3]],
+    graph: &Neighbors,
+    measure: &mut Measure,
+    resolution: Resolution,
+    params: &SegmentParams,
+    reach: Reach,
+) -> (Pattern, ClusterStages) {
+    let (segmented, linked) = match params.form {
+        SegmentForm::Paper => {
+            let segmented = steps::paper(positions, params, measure);
+            let linked = link_paper(positions, &segmented.rings, &segmented.segments, resolution, params);
+            (segmented, linked)
+        }
+        SegmentForm::Robust => {
+            let segmented = steps::robust(positions, graph, resolution, params, measure);
+            let linked = link_robust(positions, graph, measure, &segmented.segments, resolution, reach);
+            (segmented, linked)
+        }
+    };
+    (linked.pattern, ClusterStages { segmented, graphs: linked.stages })
 }
 
 struct Clock<'a> {

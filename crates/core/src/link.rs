@@ -1,6 +1,7 @@
 //! Linkers: from what the points say to graphs of lines.
 
 mod bridge;
+pub mod clusters;
 mod judge;
 mod prune;
 mod spanning;

@@ -1,5 +1,6 @@
 //! Nearest neighbours of every point, as flat lists.
 
+pub mod delaunay_ring;
 mod engine;
 mod index;
 mod kernel;

@@ -65,6 +65,24 @@ sections! {
         borders: bool = true, "", 0.0..=0.0;
     }
 
+    /// Demarsin's segmentation and graph of clusters (Demarsin et al. 2007); used by the method `segments`.
+    segments: SegmentParams {
+        /// `robust` segments by normals that keep to their side of a crease and closes lines by direction; `paper` is
+        /// Demarsin's pipeline as printed, for clouds without noise.
+        form: SegmentForm = SegmentForm::Robust, "", 0.0..=0.0;
+        /// Greatest angle between the normals of adjacent points of one cluster (section 2.2); auto: 8, and with the robust
+        /// form under noise up to twice that.
+        angle_deg: Auto<f64> = Auto::Auto, "degrees", 0.1..=60.0;
+        /// Nearest neighbours among which the one-ring is looked for (section 2.2).
+        k: usize = 20, "points", 6.0..=64.0;
+        /// Branches less deep are pruned (Algorithm 2, `d_max`; paper form).
+        branch: usize = 5, "edges", 1.0..=1000.0;
+        /// Nearest vertices that an endpoint may be linked with (section 2.7, `n`; paper form); auto: from the graph.
+        connect: Auto<usize> = Auto::Auto, "vertices", 1.0..=64.0;
+        /// Linked endpoints have no path as short as this (section 2.7, `d`; paper form); auto: twice `branch`.
+        cycle: Auto<usize> = Auto::Auto, "edges", 1.0..=1000000.0;
+    }
+
     /// The curves fitted through the pattern (Gumhold 2001, section 4).
     spline: SplineParams {
         /// Length of strip for each span of the spline; auto: from the noise.
@@ -92,6 +110,19 @@ pub enum Method {
     Penalty,
     /// Tran 2013: projected distance at the best scale, points above Otsu's threshold.
     Projection,
+    /// Demarsin et al. 2007: first-order segmentation and the closed graph of its clusters.
+    Segments,
 }
 
-value::choices! { Method { Penalty = "penalty", Projection = "projection" } }
+value::choices! { Method { Penalty = "penalty", Projection = "projection", Segments = "segments" } }
+
+/// Which form of Demarsin's pipeline is used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SegmentForm {
+    /// Steady under noise.
+    Robust,
+    /// As printed.
+    Paper,
+}
+
+value::choices! { SegmentForm { Robust = "robust", Paper = "paper" } }

@@ -37,7 +37,7 @@ fn prune_at(lines: &mut LineGraph, walker: &mut Walker, v: u32, long: f64) -> bo
 }
 
 /// Removes the tree that hangs on `root` through `first`.
-fn remove_branch(lines: &mut LineGraph, root: u32, first: u32) {
+pub(super) fn remove_branch(lines: &mut LineGraph, root: u32, first: u32) {
     lines.remove_edge(root, first);
     let mut open = vec![first];
     while let Some(v) = open.pop() {

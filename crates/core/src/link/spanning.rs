@@ -40,7 +40,7 @@ pub fn minimum_spanning_graph(
 }
 
 /// Whether the cycle that `edge` closes is long enough, and open: the paper's `pathLonger`.
-fn closes_long(
+pub(super) fn closes_long(
     lines: &LineGraph,
     walker: &mut Walker,
     edge: &Candidate,

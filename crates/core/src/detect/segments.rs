@@ -1,0 +1,90 @@
+//! First-order segmentation (Demarsin et al. 2007, section 2.2): clusters of points whose normals change little from
+//! neighbour to neighbour.
+//!
+//! Region growing with one angle, whatever point it begins from, gives the connected components of the relation "adjacent,
+//! and the normals differ by no more than the angle". They are taken directly, so no order of points can matter.
+//!
+//! Two forms. `paper`: normals of the one-rings; clusters below the mean size are small, and are what sharp edges are made
+//! of. `robust`: normals that keep to their side of a crease, so that faces stay whole under noise; what is then left in
+//! small clusters is given to the large one beside it, and the places where large clusters meet are known for every point.
+
+mod absorb;
+pub mod steps;
+
+pub use absorb::absorb;
+
+use crate::math::union_find::UnionFind;
+use crate::math::vec3::dot;
+use crate::neighbors::Neighbors;
+
+/// The clusters of a cloud.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Segmentation {
+    /// `(N)` cluster of each point; clusters are numbered by their first point.
+    pub label: Vec<u32>,
+    /// `(C)` points of each cluster.
+    pub size: Vec<u32>,
+    /// `(C)` whether the cluster is a face rather than a piece of a sharp edge.
+    pub large: Vec<bool>,
+}
+
+impl Segmentation {
+    /// Grows clusters over `rings` while normals differ by no more than `angle` radians. Large is what exceeds the mean
+    /// size (section 2.3) and `least` points.
+    ///
+    /// Points that `sharp` names join nothing: each stays a small cluster.
+    pub fn grow(
+        rings: &Neighbors,
+        normals: &[[f32; 3]],
+        angle: f64,
+        least: u32,
+        sharp: impl Fn(usize) -> bool,
+    ) -> Segmentation {
+        let cosine = angle.cos();
+        let mut sets = UnionFind::new(normals.len());
+        let smooth: Vec<bool> = (0..normals.len()).map(|i| !sharp(i)).collect();
+        for i in (0..normals.len()).filter(|&i| smooth[i]) {
+            for &j in rings.of(i).iter().filter(|&&j| smooth[j as usize]) {
+                if dot(normals[i].map(f64::from), normals[j as usize].map(f64::from)).abs() >= cosine {
+                    sets.union(i as u32, j);
+                }
+            }
+        }
+        let roots: Vec<u32> = (0..normals.len() as u32).map(|i| sets.find(i)).collect();
+        Self::numbered(&roots, least)
+    }
+
+    /// Clusters from any representative of each point's set.
+    fn numbered(roots: &[u32], least: u32) -> Segmentation {
+        let mut number = vec![u32::MAX; roots.len()];
+        let (mut label, mut size) = (Vec::with_capacity(roots.len()), Vec::new());
+        for &root in roots {
+            let slot = &mut number[root as usize];
+            if *slot == u32::MAX {
+                *slot = size.len() as u32;
+                size.push(0);
+            }
+            size[*slot as usize] += 1;
+            label.push(*slot);
+        }
+        let mean = roots.len() as f64 / size.len().max(1) as f64;
+        let large = size.iter().map(|&s| f64::from(s) > mean && s >= least).collect();
+        Segmentation { label, size, large }
+    }
+
+    /// The number of large clusters.
+    pub fn large_count(&self) -> usize {
+        self.large.iter().filter(|&&l| l).count()
+    }
+
+    /// The number of small clusters.
+    pub fn small_count(&self) -> usize {
+        self.size.iter().zip(&self.large).filter(|(s, large)| **s > 0 && !**large).count()
+    }
+
+    /// Mean number of points of the small clusters; zero without any.
+    pub fn mean_small(&self) -> f64 {
+        let points: u32 = self.size.iter().zip(&self.large).filter(|(_, l)| !**l).map(|(s, _)| s).sum();
+        f64::from(points) / self.small_count().max(1) as f64
+    }
+}

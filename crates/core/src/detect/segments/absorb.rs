@@ -1,0 +1,55 @@
+//! Small clusters given to the large ones beside them (robust form; not in Demarsin et al. 2007).
+
+use super::Segmentation;
+use crate::math::vec3::{dot, sub};
+use crate::neighbors::Neighbors;
+use rayon::prelude::*;
+
+/// Rounds of taking in neighbours: the depth, in edges, of what lies between two faces.
+const ROUNDS: usize = 6;
+
+/// Gives each point of a small cluster to the large cluster in whose tangent planes it lies best, from outside inwards.
+///
+/// What is not reached in a few rounds stays a small cluster: a region of its own that is curved too sharply to be a face.
+pub fn absorb(
+    mut segments: Segmentation,
+    points: &[[f64; 3]],
+    normals: &[[f32; 3]],
+    graph: &Neighbors,
+) -> Segmentation {
+    for _ in 0..ROUNDS {
+        let taken: Vec<(usize, u32)> = (0..points.len())
+            .into_par_iter()
+            .with_min_len(1024)
+            .filter(|&i| !segments.large[segments.label[i] as usize])
+            .filter_map(|i| best(&segments, points, normals, graph.of(i), i).map(|label| (i, label)))
+            .collect();
+        if taken.is_empty() {
+            break;
+        }
+        for (i, label) in taken {
+            segments.size[segments.label[i] as usize] -= 1;
+            segments.size[label as usize] += 1;
+            segments.label[i] = label;
+        }
+    }
+    segments
+}
+
+/// The large cluster of the neighbour whose plane the point is nearest to; the first among equals.
+fn best(
+    segments: &Segmentation,
+    points: &[[f64; 3]],
+    normals: &[[f32; 3]],
+    near: &[u32],
+    i: usize,
+) -> Option<u32> {
+    near.iter()
+        .filter(|&&j| segments.large[segments.label[j as usize] as usize])
+        .map(|&j| {
+            let offset = dot(normals[j as usize].map(f64::from), sub(points[i], points[j as usize]));
+            (offset.abs(), segments.label[j as usize])
+        })
+        .min_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, label)| label)
+}

@@ -1,0 +1,124 @@
+//! The connect algorithm (Demarsin et al. 2007, section 2.7).
+
+use crate::link::Reach;
+use crate::link::walk::Walker;
+use crate::math::vec3::distance;
+use crate::neighbors::{Index, all_nearest};
+use crate::pattern::LineGraph;
+use crate::resolution::Resolution;
+
+/// Bounds of `n` where it follows from the graph.
+const NEIGHBORS: [usize; 2] = [6, 32];
+
+/// A cycle over a link is small if the rest of it is no longer than this many gaps and spacings (robust form).
+const SMALL_CYCLE: (f64, f64) = (2.0, 4.0);
+
+/// A gap is closed if the strip up to it is longer than this many gaps and spacings more.
+const LEAD: f64 = 1.5;
+/// See [`LEAD`].
+const LEAST_STRIP: f64 = 4.0;
+
+/// Links each endpoint: to the closest endpoint among its `n` nearest vertices (case 1), or, where there is none, to the
+/// closest vertex with more than one edge (case 2), if no path of up to `d` edges joins them already.
+///
+/// A path shorter than `d` is looked for from the shortest on, which finds one exactly if the paper's depth-first search of
+/// restricted depth does.
+pub fn connect(lines: &mut LineGraph, resolution: Resolution, n: usize, d: usize) {
+    let members: Vec<u32> = (0..lines.edges.len() as u32).filter(|&v| degree(lines, v) > 0).collect();
+    let positions: Vec<[f64; 3]> = members.iter().map(|&v| lines.positions[v as usize]).collect();
+    let nearest = all_nearest(&positions, n);
+    let reach = Reach { rho: d as f64, in_edges: true, openness: 0.0, border_hops: 1 };
+    let mut walker = Walker::new(lines.edges.len(), resolution, reach);
+    for (i, &end) in members.iter().enumerate() {
+        if degree(lines, end) != 1 {
+            continue;
+        }
+        let around: Vec<u32> = nearest.of(i).iter().map(|&m| members[m as usize]).collect();
+        let to_end = around.iter().any(|&v| degree(lines, v) == 1);
+        let target = around
+            .iter()
+            .copied()
+            .filter(|&v| if to_end { degree(lines, v) == 1 } else { degree(lines, v) > 1 })
+            .find(|&v| walker.path(lines, end, v, d as f64).is_none());
+        if let Some(target) = target {
+            lines.add_edge(end, target);
+        }
+    }
+}
+
+/// The robust form's last links: each endpoint to the closest endpoint within `reach`, else to the closest other vertex, if the
+/// strip that leads up to the gap is longer than the gap and no short path joins them already.
+pub fn connect_within(lines: &mut LineGraph, fixed: &[bool], reach: f64, walker: &mut Walker, spacing: f64) {
+    let members: Vec<u32> = (0..lines.edges.len() as u32).filter(|&v| degree(lines, v) > 0).collect();
+    let positions: Vec<[f64; 3]> = members.iter().map(|&v| lines.positions[v as usize]).collect();
+    if positions.is_empty() {
+        return;
+    }
+    let index = Index::build(&positions);
+    let mut found = Vec::new();
+    let mut links: Vec<(bool, f64, u32, u32)> = Vec::new();
+    for &end in members.iter().filter(|&&v| degree(lines, v) == 1 && fixed.get(v as usize) != Some(&true)) {
+        let reach = reach.min((strip_length(lines, end) - LEAST_STRIP * spacing) / LEAD);
+        if reach <= 0.0 {
+            continue;
+        }
+        index.within(lines.positions[end as usize], reach, &mut found);
+        for f in &found {
+            let v = members[f.index as usize];
+            if v != end && fixed.get(v as usize) != Some(&true) {
+                links.push((degree(lines, v) > 1, f.distance2.sqrt(), end, v));
+            }
+        }
+    }
+    links.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then((a.2, a.3).cmp(&(b.2, b.3))));
+    for (_, gap, end, v) in links {
+        if degree(lines, end) == 1
+            && degree(lines, v) > 0
+            && walker.path(lines, end, v, SMALL_CYCLE.0 * gap / spacing + SMALL_CYCLE.1).is_none()
+        {
+            lines.add_edge(end, v);
+        }
+    }
+}
+
+/// Length from an endpoint to the next vertex that is not within a strip.
+pub fn strip_length(lines: &LineGraph, end: u32) -> f64 {
+    let (mut before, mut at) = (end, lines.edges[end as usize][0]);
+    let step = |a: u32, b: u32| distance(lines.positions[a as usize], lines.positions[b as usize]);
+    let mut length = step(before, at);
+    while let [a, b] = *lines.edges[at as usize].as_slice() {
+        let next = if a == before { b } else { a };
+        (before, at) = (at, next);
+        length += step(before, at);
+        if at == end {
+            break;
+        }
+    }
+    length
+}
+
+/// `n` from the graph: as many vertices as an endpoint has within `reach`, the longest gap that the segmentation itself has
+/// bridged; the median over the endpoints.
+pub fn neighbors_in_reach(lines: &LineGraph, reach: f64) -> usize {
+    let members: Vec<u32> = (0..lines.edges.len() as u32).filter(|&v| degree(lines, v) > 0).collect();
+    let positions: Vec<[f64; 3]> = members.iter().map(|&v| lines.positions[v as usize]).collect();
+    if positions.is_empty() {
+        return NEIGHBORS[0];
+    }
+    let index = Index::build(&positions);
+    let mut found = Vec::new();
+    let mut counts: Vec<usize> = members
+        .iter()
+        .filter(|&&v| degree(lines, v) == 1)
+        .map(|&v| {
+            index.within(lines.positions[v as usize], reach, &mut found);
+            found.len()
+        })
+        .collect();
+    counts.sort_unstable();
+    counts.get(counts.len() / 2).copied().unwrap_or(NEIGHBORS[0]).clamp(NEIGHBORS[0], NEIGHBORS[1])
+}
+
+fn degree(lines: &LineGraph, v: u32) -> usize {
+    lines.edges[v as usize].len()
+}

@@ -1,0 +1,111 @@
+//! Small clusters of the robust form: candidates whose feet on the line fall together.
+//!
+//! The paper's small clusters lie where single normals happen to differ, up to a spacing beside the edge. Here the candidates
+//! of the penalties are used, each at its foot on the line, and those within a fraction of a spacing are one cluster, at the
+//! mean of their feet: a row of vertices along the line instead of a band.
+
+use super::Clusters;
+use crate::detect::segments::Segmentation;
+use crate::link::Candidate;
+use crate::math::vec3::{add_scaled, distance};
+use crate::measure::Penalties;
+use crate::neighbors::{Neighbors, riemannian::Scratch};
+use crate::pattern::LineGraph;
+use crate::resolution::Resolution;
+
+/// Feet this near to that of the cluster's first candidate, in spacings, belong to it.
+const TOGETHER: f64 = 0.6;
+/// Longest edge of `G_all` between feet, spacings.
+const EDGE: f64 = 2.0;
+
+/// Groups the candidates, the least penalty first, and joins groups by `edges` between their candidates. Also gives the
+/// cluster of each candidate.
+pub fn group(
+    graph: &Neighbors,
+    penalties: &Penalties,
+    edges: &[Candidate],
+    segments: &Segmentation,
+    resolution: Resolution,
+) -> (Clusters, Vec<u32>) {
+    let groups = groups(graph, penalties, TOGETHER * resolution.spacing);
+    let mut of_candidate = vec![0u32; penalties.len()];
+    for (g, members) in groups.iter().enumerate() {
+        members.iter().for_each(|&c| of_candidate[c as usize] = g as u32);
+    }
+    let mut clusters = Clusters { large_count: segments.large_count(), ..Default::default() };
+    for members in &groups {
+        push(&mut clusters, graph, penalties, segments, members);
+    }
+    for edge in edges {
+        let (a, b) = (of_candidate[edge.a as usize], of_candidate[edge.b as usize]);
+        let positions = &clusters.lines.positions;
+        let apart = distance(positions[a as usize], positions[b as usize]) / resolution.spacing;
+        if a != b && apart <= EDGE {
+            clusters.lines.add_edge(a, b);
+            let weight = edge.weight.max(apart * apart);
+            clusters.weights.push(Candidate { weight, a: a.min(b), b: a.max(b) });
+        }
+    }
+    (clusters, of_candidate)
+}
+
+/// Candidates of each group, its first the one that it grew from; groups in the order of those.
+fn groups(graph: &Neighbors, penalties: &Penalties, radius: f64) -> Vec<Vec<u32>> {
+    let mut order: Vec<u32> = (0..penalties.len() as u32).collect();
+    order.sort_by(|&a, &b| {
+        penalties.scalar[a as usize].total_cmp(&penalties.scalar[b as usize]).then(a.cmp(&b))
+    });
+    let mut taken = vec![false; penalties.len()];
+    let mut scratch = Scratch::default();
+    let mut groups = Vec::new();
+    for first in order {
+        if std::mem::replace(&mut taken[first as usize], true) {
+            continue;
+        }
+        let mut members = vec![first];
+        let foot = penalties.foot[first as usize];
+        for j in graph.hops(penalties.points[first as usize] as usize, 2, &mut scratch) {
+            let Ok(c) = penalties.points.binary_search(j) else { continue };
+            if !taken[c] && distance(penalties.foot[c], foot) <= radius {
+                taken[c] = true;
+                members.push(c as u32);
+            }
+        }
+        groups.push(members);
+    }
+    groups.sort_unstable_by_key(|members| members[0]);
+    groups
+}
+
+/// Adds the cluster of some candidates.
+fn push(
+    clusters: &mut Clusters,
+    graph: &Neighbors,
+    penalties: &Penalties,
+    segments: &Segmentation,
+    members: &[u32],
+) {
+    let share = 1.0 / members.len() as f64;
+    let mean = |values: &[f32]| members.iter().map(|&c| f64::from(values[c as usize])).sum::<f64>() * share;
+    let LineGraph { points, positions, penalty, corner, evidence, expected, fold, edges } =
+        &mut clusters.lines;
+    points.push(penalties.points[members[0] as usize]);
+    positions
+        .push(members.iter().fold([0.0; 3], |sum, &c| add_scaled(sum, penalties.foot[c as usize], share)));
+    penalty.push(mean(&penalties.scalar) as f32);
+    corner.push(members.iter().map(|&c| penalties.corner[c as usize]).fold(1.0, f32::min));
+    evidence.push(mean(&penalties.evidence) as f32);
+    expected.push(mean(&penalties.expected) as f32);
+    fold.push(mean(&penalties.fold) as f32);
+    edges.push(Vec::new());
+    let mut large: Vec<u32> = members
+        .iter()
+        .map(|&c| penalties.points[c as usize])
+        .flat_map(|p| graph.of(p as usize).iter().copied().chain([p]))
+        .map(|p| segments.label[p as usize])
+        .filter(|&label| segments.large[label as usize])
+        .collect();
+    large.sort_unstable();
+    large.dedup();
+    clusters.large.push(large);
+}
