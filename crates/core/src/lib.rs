@@ -1,4 +1,21 @@
-//! Feature lines from point clouds.
+//! Feature lines from point clouds: creases, borders and corners as ordered, closed curves.
+//!
+//! ```
+//! use lineament::{NodeKind, Params, extract, shapes};
+//!
+//! // A scan with a known answer: the surface points of a 9 x 9 x 9 grid.
+//! let scan = shapes::cube_386();
+//! let found = extract(&scan.cloud, &Params::default())?;
+//! assert_eq!(found.network.strips.len(), 12);
+//! assert_eq!(found.network.count(NodeKind::Junction), 8);
+//! for strip in &found.network.strips {
+//!     println!("{} of length {:.2}, fold {:?} degrees", strip.kind.name(), strip.length(), strip.fold_deg);
+//! }
+//! # Ok::<(), lineament::Error>(())
+//! ```
+//!
+//! [`extract()`] is the whole pipeline; [`Extraction`] keeps every stage of it. No parameter needs a guess: [`Params`] lists
+//! what can be set. [`shapes`] makes scans with known networks, [`check`] says whether a network is sound and scores it.
 
 pub mod apply;
 pub mod check;
