@@ -6,7 +6,7 @@ use crate::neighbors::Index;
 
 /// Joins small clusters that share two large ones and are no farther apart than `reach`.
 ///
-/// Gives the pairs added. The paper's `reach` is the longest edge of `G_all` between small clusters: see [`longest`].
+/// Gives the pairs added. The paper's `reach` is the longest edge of `G_all` between small clusters: see `longest`.
 pub fn extend(clusters: &mut Clusters, reach: f64) -> Vec<(u32, u32)> {
     let Clusters { lines, large, .. } = clusters;
     if lines.positions.is_empty() || reach <= 0.0 {
