@@ -100,10 +100,14 @@ fn fold_deg(lines: &LineGraph, path: &Path) -> Option<f64> {
     (count > 0).then(|| (folds().sum::<f64>() / count as f64).to_degrees())
 }
 
+/// Most points written for a span of a curve: enough to follow any cubic, and no more where points lie far apart.
+const POINTS_A_SPAN: usize = 64;
+
 /// Points on the curve about `step` apart; a closed curve's first is not repeated.
 fn polyline(curve: &crate::curve::BSpline, step: f64) -> Vec<[f64; 3]> {
     let (from, to) = curve.domain();
-    let pieces = (((to - from) / step).ceil() as usize).max(if curve.periodic { 3 } else { 1 });
+    let most = POINTS_A_SPAN * curve.controls.len();
+    let pieces = (((to - from) / step).ceil() as usize).clamp(if curve.periodic { 3 } else { 1 }, most);
     let last = if curve.periodic { pieces - 1 } else { pieces };
     let mut points: Vec<[f64; 3]> =
         (0..=last).map(|i| curve.point(from + (to - from) * i as f64 / pieces as f64)).collect();

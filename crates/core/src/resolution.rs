@@ -23,6 +23,8 @@ const FITS: [(usize, f64); 2] = [(9, 0.799), (13, 0.852)];
 const WIDE_QUANTILE: f64 = 0.96;
 /// Greatest graph distance that noise is looked for at.
 const WIDEST: usize = 5;
+/// Points whose neighbours are this many times as far off as those of most do not count.
+const STRAY: f64 = 8.0;
 /// A low quantile over the points keeps creases and curved places out.
 const QUANTILE: f64 = 0.3;
 /// A neighbourhood is flat if its residual is at most this share of its radius: else it lies within the noise, and shows
@@ -38,7 +40,7 @@ impl Resolution {
         let step = points.len().div_ceil(SAMPLES).max(1);
         let chosen: Vec<usize> = (0..points.len()).step_by(step).collect();
         let near: Vec<f64> = chosen.par_iter().map(|&i| mean_distance(points, i, nearest.of(i))).collect();
-        let raw = near.iter().sum::<f64>() / near.len().max(1) as f64;
+        let raw = mean_without_strays(&near);
         let small = FITS.iter().filter_map(|&(size, scale)| {
             let fits = chosen.iter().filter(|&&i| nearest.of(i).len() >= size - 1);
             flat_residual(points, fits.map(|&i| (i, nearest.of(i)[..size - 1].to_vec())).collect(), scale)
@@ -57,6 +59,16 @@ impl Resolution {
     pub fn unit(&self) -> f64 {
         self.spacing.max(2.0 * self.noise)
     }
+}
+
+/// The mean of the values but those beyond [`STRAY`] times their median: one far point may not make a cloud coarse.
+fn mean_without_strays(values: &[f64]) -> f64 {
+    if values.is_empty() {
+        return 0.0;
+    }
+    let limit = STRAY * quantile(values.to_vec(), 0.5);
+    let (sum, count) = values.iter().filter(|&&v| v <= limit).fold((0.0, 0), |(s, n), v| (s + v, n + 1));
+    sum / f64::from(count)
 }
 
 fn mean_distance(points: &[[f64; 3]], i: usize, nearest: &[u32]) -> f64 {
@@ -91,12 +103,12 @@ fn flat_residual(points: &[[f64; 3]], sets: Vec<(usize, Vec<u32>)>, scale: f64) 
     if fits.is_empty() {
         return None;
     }
-    let residual = quantile(fits.iter().map(|f| f.0).collect()) / scale;
-    let radius = quantile(fits.iter().map(|f| f.1).collect());
+    let residual = quantile(fits.iter().map(|f| f.0).collect(), QUANTILE) / scale;
+    let radius = quantile(fits.iter().map(|f| f.1).collect(), QUANTILE);
     (residual <= FLAT * radius).then_some(residual)
 }
 
-fn quantile(mut values: Vec<f64>) -> f64 {
-    let rank = (QUANTILE * (values.len() - 1) as f64) as usize;
+fn quantile(mut values: Vec<f64>, share: f64) -> f64 {
+    let rank = (share * (values.len() - 1) as f64) as usize;
     *values.select_nth_unstable_by(rank, f64::total_cmp).1
 }

@@ -155,9 +155,11 @@ fn extent_whose_square_leaves_f64_is_refused() {
 }
 
 #[test]
-fn one_far_point_gives_a_valid_network() {
-    for far in [[1e3, -2e3, 5e2], [1e7; 3]] {
-        valid(&format!("{far:?}"), &[cube_386().cloud.positions, vec![far]].concat());
+fn one_far_point_leaves_the_cube_a_cube() {
+    for far in [[30.0, 0.0, 4.0], [1e3, -2e3, 5e2], [1e7; 3]] {
+        let [robust, _] = valid(&format!("{far:?}"), &[cube_386().cloud.positions, vec![far]].concat());
+        let shape = (robust.network.strips.len(), robust.network.count(NodeKind::Junction));
+        assert_eq!(shape, (12, 8), "{far:?}");
     }
 }
 

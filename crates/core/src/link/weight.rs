@@ -6,6 +6,9 @@ use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::resolution::Resolution;
 use rayon::prelude::*;
 
+/// Greatest length of an edge in mean distances to the direct neighbours, at the end where those are less.
+const LONGEST: f64 = 8.0;
+
 /// An edge between two candidates that may enter a pattern.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
@@ -35,7 +38,7 @@ pub fn candidate_edges(
             let near = graph.hops(own as usize, hops, scratch).iter().filter(|&&other| other > own);
             let edges = near.filter_map(|other| {
                 let b = penalties.points.binary_search(other).ok()?;
-                let density = f64::from(measure.density[own as usize] + measure.density[*other as usize]);
+                let density = [own, *other].map(|i| f64::from(measure.density[i as usize]));
                 weigh(penalties, a, b, density, resolution, tau)
             });
             edges.collect::<Vec<_>>()
@@ -46,17 +49,22 @@ pub fn candidate_edges(
     edges
 }
 
-/// The weight of the edge between the candidates `a` and `b`; `None` at or above `tau`. `density` is the sum of both.
+/// The weight of the edge between the candidates `a` and `b`; `None` at or above `tau`, and for an
+/// edge that is far longer than the sampling at its denser end: it leads to a stray point. `density` is that of both, zero
+/// where unknown.
 fn weigh(
     penalties: &Penalties,
     a: usize,
     b: usize,
-    density: f64,
+    density: [f64; 2],
     resolution: Resolution,
     tau: f64,
 ) -> Option<Candidate> {
     let edge = sub(penalties.foot[b], penalties.foot[a]);
     let length = norm(edge);
+    if length > LONGEST * density[0].min(density[1]) && density[0].min(density[1]) > 0.0 {
+        return None;
+    }
     let directional: f64 = [a, b]
         .map(|i| {
             let vector = penalties.vector[i].map(f64::from);
@@ -76,6 +84,7 @@ fn weigh(
         .sum();
     let scalar = f64::from(penalties.scalar[a] + penalties.scalar[b]);
     let share = penalties.share * scalar + (1.0 - penalties.share) * directional;
-    let weight = share + if density > 0.0 { 2.0 * length / density } else { 0.0 };
+    let weight =
+        share + if density[0] + density[1] > 0.0 { 2.0 * length / (density[0] + density[1]) } else { 0.0 };
     (share < tau).then_some(Candidate { weight, a: a as u32, b: b as u32 })
 }

@@ -1,6 +1,7 @@
 //! The Riemannian graph (Gumhold, Wang and MacLeod 2001, section 2.1) and neighbourhoods by graph distance.
 //!
-//! An edge joins two points if either is among the `k` nearest of the other.
+//! An edge joins two points if either is among the `k` nearest of the other. One departure: a point far off, such as a
+//! scanner's stray return, lists points that have nothing to do with it, and is not listed in return.
 
 use std::ops::Range;
 
@@ -11,19 +12,22 @@ use crate::math::vec3;
 
 /// Parts of the cloud that are worked on at once: a fixed number, few enough for edges to be kept apart by pair.
 const PARTS: usize = 64;
+/// A point this many times as far off as the farthest that a point lists does not enter its list.
+const STRAY: f64 = 8.0;
 
 /// The Riemannian graph over `nearest`, which [`all_nearest`](super::all_nearest) gave for the same `(N, 3)`
 /// `positions`: each list joined with the points that list its owner, sorted by (distance, index). The paper takes
 /// `k` from 10 to 16.
 ///
 /// A point that lists `i` but that `i` does not list is farther from `i` than all that `i` lists. So each list of
-/// the graph is the one given, and then those other points by distance.
+/// the graph is the one given, and then those other points by distance. One that is [`STRAY`] times as far is left out: the
+/// only case in which `i` is in a list and its owner not in that of `i`.
 pub fn graph(positions: &[[f64; 3]], nearest: &Neighbors) -> Neighbors {
     let size = nearest.len().div_ceil(PARTS).max(1);
     let parts = nearest.len().div_ceil(size);
     let points = |p: usize| p * size..nearest.len().min((p + 1) * size);
     let sent: Vec<Vec<Vec<Edge>>> =
-        (0..parts).into_par_iter().map(|p| one_sided(nearest, points(p), size, parts)).collect();
+        (0..parts).into_par_iter().map(|p| one_sided(positions, nearest, points(p), size)).collect();
     let row = |p: usize| Rows::received(positions, sent.iter().map(|to| to[p].as_slice()), points(p));
     let rows: Vec<Rows> = (0..parts).into_par_iter().map(row).collect();
     join(nearest, &rows, size)
@@ -36,11 +40,20 @@ struct Edge {
 }
 
 /// The one-sided edges from some points, apart for each part of `size` points that they lead to.
-fn one_sided(nearest: &Neighbors, from: Range<usize>, size: usize, parts: usize) -> Vec<Vec<Edge>> {
+fn one_sided(
+    positions: &[[f64; 3]],
+    nearest: &Neighbors,
+    from: Range<usize>,
+    size: usize,
+) -> Vec<Vec<Edge>> {
+    let parts = nearest.len().div_ceil(size);
     let mut edges: Vec<Vec<Edge>> = (0..parts).map(|_| Vec::new()).collect();
+    let distance2 = |i: u32, j: u32| vec3::distance2(positions[i as usize], positions[j as usize]);
     for i in from {
         for &j in nearest.of(i) {
-            if !contains(nearest.of(j as usize), i as u32) {
+            let list = nearest.of(j as usize);
+            let stray = || distance2(i as u32, j) > STRAY * STRAY * distance2(list[list.len() - 1], j);
+            if !contains(list, i as u32) && !stray() {
                 edges[j as usize / size].push(Edge { to: j, from: i as u32 });
             }
         }

@@ -183,17 +183,31 @@ fn coordinates_without_distance_do_no_harm() {
 }
 
 #[test]
-fn graph_is_the_symmetric_union_by_distance() {
+fn graph_is_the_union_by_distance_symmetric_but_for_strays() {
     for (name, points) in clouds() {
         let lists = all_nearest(&points, 10);
         let graph = riemannian::graph(&points, &lists);
         for (i, &p) in points.iter().enumerate() {
-            let edge = |j: usize| lists.of(i).contains(&(j as u32)) || lists.of(j).contains(&(i as u32));
+            let last = lists.of(i)[lists.of(i).len() - 1];
+            let reach = 64.0 * vec3::distance2(p, points[last as usize]);
+            let listed =
+                |j: usize| lists.of(j).contains(&(i as u32)) && vec3::distance2(p, points[j]) <= reach;
+            let edge = |j: usize| lists.of(i).contains(&(j as u32)) || listed(j);
             let expected: Vec<u32> =
                 sorted(&points, p, Some(i)).iter().map(|f| f.index).filter(|&j| edge(j as usize)).collect();
             assert_eq!(graph.of(i), expected, "{name} {i}");
         }
     }
+}
+
+#[test]
+fn a_stray_point_is_listed_by_none() {
+    let mut points = Random::cloud(13, 400, Random::point);
+    points.push([1e5; 3]);
+    let lists = all_nearest(&points, 10);
+    let graph = riemannian::graph(&points, &lists);
+    assert_eq!(graph.of(400), lists.of(400));
+    assert!((0..400).all(|i| !graph.of(i).contains(&400)));
 }
 
 #[test]
