@@ -16,6 +16,7 @@ pub use weight::{Candidate, candidate_edges};
 
 use crate::measure::{Measure, Penalties};
 use crate::neighbors::Neighbors;
+use crate::network::StripKind;
 use crate::params::{Auto, PenaltyForm, SpanningParams};
 use crate::pattern::{LineGraph, Pattern};
 use crate::resolution::Resolution;
@@ -61,7 +62,7 @@ pub fn link(
     params: &SpanningParams,
     reach: Reach,
 ) -> Pattern {
-    let lines = |wanted: bool, penalties: &Penalties, hops: usize| -> LineGraph {
+    let lines = |wanted: bool, kind: StripKind, penalties: &Penalties, hops: usize| -> LineGraph {
         if !wanted {
             return LineGraph::default();
         }
@@ -70,12 +71,13 @@ pub fn link(
         prune(&mut lines, resolution, reach);
         if reach.openness > 0.0 {
             judge(&mut lines, resolution, reach);
-            bridge(&mut lines, resolution);
+            bridge(&mut lines, kind, resolution);
+            prune(&mut lines, resolution, reach);
         }
         lines
     };
     Pattern {
-        crease: lines(params.creases, &measure.crease, 1),
-        border: lines(params.borders, &measure.border, reach.border_hops),
+        crease: lines(params.creases, StripKind::Crease, &measure.crease, 1),
+        border: lines(params.borders, StripKind::Border, &measure.border, reach.border_hops),
     }
 }

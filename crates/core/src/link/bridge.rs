@@ -6,28 +6,44 @@
 
 use crate::math::vec3::{add_scaled, distance, dot, norm, scale, sub, unit};
 use crate::neighbors::Index;
+use crate::network::StripKind;
 use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
 /// Gap in spacings and the angle up to which both ends may look aside from it, degrees; nearest first.
-const GAPS: [(f64, f64); 4] = [(3.0, 60.0), (4.5, 40.0), (6.5, 25.0), (10.0, 10.0)];
-/// Ends this near are joined whatever they look at, spacings; in the last round farther, as nothing better was found: one of
-/// them has turned a corner.
-const TOUCHING: [f64; 2] = [1.5, 3.5];
+const CREASE_GAPS: [(f64, f64); 4] = [(3.0, 60.0), (4.5, 40.0), (6.5, 25.0), (10.0, 10.0)];
+/// The same for borders. A surface's border never ends: whatever two loose ends can be one line, are.
+const BORDER_GAPS: [(f64, f64); 7] =
+    [(3.0, 60.0), (4.5, 40.0), (6.5, 25.0), (10.0, 10.0), (6.0, 100.0), (10.0, 60.0), (16.0, 30.0)];
+/// Ends this near are joined whatever they look at, spacings.
+const TOUCHING: f64 = 1.5;
+/// The same in the last round, as nothing better was found and one of them has turned a corner: for creases and for borders.
+const TOUCHING_LAST: [f64; 2] = [3.5, 10.0];
+/// Both ends of one strip are joined only if that closes a loop at least this many times as long as the gap.
+const LOOP_TO_GAP: f64 = 3.0;
 /// Length of strip that an end's direction is taken from, spacings.
 const TANGENT: f64 = 4.0;
 /// How far ahead of an end it may run into a strip, spacings, and how far aside it may look, degrees.
 const INTO_STRIP: (f64, f64) = (3.5, 50.0);
 /// How far ahead two ends may meet at an angle, and how far their lines may pass each other, spacings.
 const MEETING: (f64, f64) = (4.5, 1.0);
+/// The round in which ends may also run into strips, or meet.
+const SIDEWAYS: usize = 1;
 
 /// A vertex of degree one, and where it looks.
 struct End {
     vertex: u32,
     position: [f64; 3],
     tangent: [f64; 3],
-    /// The vertices of its own strip near to it.
-    own: Vec<u32>,
+    /// The vertices of its own strip near to it, and how far along the strip they lie.
+    own: Vec<(u32, f64)>,
+}
+
+impl End {
+    /// How far along its own strip a vertex lies, if it does and is near.
+    fn along(&self, vertex: u32) -> Option<f64> {
+        self.own.iter().find(|o| o.0 == vertex).map(|o| o.1)
+    }
 }
 
 /// What an end can be joined to.
@@ -39,13 +55,17 @@ enum Bridge {
 }
 
 /// Joins loose ends, the cheapest first, in rounds of growing reach.
-pub fn bridge(lines: &mut LineGraph, resolution: Resolution) {
+pub fn bridge(lines: &mut LineGraph, kind: StripKind, resolution: Resolution) {
     let h = resolution.unit();
-    for (reach, angle) in GAPS {
+    let (gaps, last): (&[(f64, f64)], f64) = match kind {
+        StripKind::Crease => (&CREASE_GAPS, TOUCHING_LAST[0]),
+        StripKind::Border => (&BORDER_GAPS, TOUCHING_LAST[1]),
+    };
+    for (round, &(reach, angle)) in gaps.iter().enumerate() {
         let ends = loose_ends(lines, h);
-        let touching = TOUCHING[usize::from(reach == GAPS[GAPS.len() - 1].0)];
+        let touching = if round + 1 == gaps.len() { last } else { TOUCHING };
         let mut bridges = facing(&ends, reach * h, angle, touching * h);
-        if reach == GAPS[1].0 {
+        if round == SIDEWAYS {
             bridges.extend(into_strips(lines, &ends, h));
             bridges.extend(meetings(&ends, h));
         }
@@ -70,13 +90,13 @@ fn loose_ends(lines: &LineGraph, h: f64) -> Vec<End> {
         .filter(|&v| lines.edges[v as usize].len() == 1)
         .map(|v| {
             let position = lines.positions[v as usize];
-            let (mut own, mut length) = (vec![v], 0.0);
+            let (mut own, mut length) = (vec![(v, 0.0)], 0.0);
             let (mut before, mut at) = (v, lines.edges[v as usize][0]);
             let mut back = position;
             loop {
-                own.push(at);
                 length += distance(lines.positions[before as usize], lines.positions[at as usize]);
-                if length <= TANGENT * h || own.len() == 2 {
+                own.push((at, length));
+                if length <= TANGENT * h || own.len() <= 2 {
                     back = lines.positions[at as usize];
                 }
                 let next = &lines.edges[at as usize];
@@ -104,6 +124,9 @@ fn facing(ends: &[End], reach: f64, angle_deg: f64, touching: f64) -> Vec<(f64, 
             let aside =
                 [dot(end.tangent, gap), -dot(ends[other].tangent, gap)].map(|d| d / length.max(1e-12));
             let straight = aside[0].min(aside[1]);
+            if end.along(ends[other].vertex).is_some_and(|along| along < LOOP_TO_GAP * length) {
+                continue;
+            }
             if length <= touching || straight >= cosine {
                 let cost = length * (2.0 - straight);
                 bridges.push((cost, Bridge::Edge(end.vertex, ends[other].vertex)));
@@ -126,7 +149,7 @@ fn into_strips(lines: &LineGraph, ends: &[End], h: f64) -> Vec<(f64, Bridge)> {
         let nearest = found
             .iter()
             .map(|f| vertices[f.index as usize])
-            .filter(|v| !end.own.contains(v))
+            .filter(|&v| end.along(v).is_none())
             .filter_map(|v| {
                 let gap = sub(lines.positions[v as usize], end.position);
                 let length = norm(gap);

@@ -99,7 +99,7 @@ fn close(
     };
     take_vertices(&mut lines, &all);
     let mut anchored = border.map(|b| anchor(&mut lines, b, resolution)).unwrap_or_default();
-    bridge(&mut lines, resolution);
+    bridge(&mut lines, crate::network::StripKind::Crease, resolution);
     let mut fixed = vec![false; lines.edges.len()];
     anchored.iter().for_each(|&v| fixed[v as usize] = true);
     reroute(&mut lines, &all, &fixed, resolution, reach);
