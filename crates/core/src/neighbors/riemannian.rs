@@ -40,12 +40,7 @@ struct Edge {
 }
 
 /// The one-sided edges from some points, apart for each part of `size` points that they lead to.
-fn one_sided(
-    positions: &[[f64; 3]],
-    nearest: &Neighbors,
-    from: Range<usize>,
-    size: usize,
-) -> Vec<Vec<Edge>> {
+fn one_sided(positions: &[[f64; 3]], nearest: &Neighbors, from: Range<usize>, size: usize) -> Vec<Vec<Edge>> {
     let parts = nearest.len().div_ceil(size);
     let mut edges: Vec<Vec<Edge>> = (0..parts).map(|_| Vec::new()).collect();
     let distance2 = |i: u32, j: u32| vec3::distance2(positions[i as usize], positions[j as usize]);
