@@ -2,6 +2,8 @@
 
 mod bridge;
 pub mod clusters;
+mod corner;
+mod dock;
 mod judge;
 mod prune;
 mod spanning;
@@ -9,6 +11,8 @@ mod walk;
 mod weight;
 
 pub use bridge::bridge;
+pub use corner::corners;
+pub use dock::dock;
 pub use judge::judge;
 pub use prune::prune;
 pub use spanning::minimum_spanning_graph;
@@ -73,11 +77,16 @@ pub fn link(
             judge(&mut lines, resolution, reach);
             bridge(&mut lines, kind, resolution);
             prune(&mut lines, resolution, reach);
+            corners(&mut lines, kind, resolution);
         }
         lines
     };
-    Pattern {
+    let mut pattern = Pattern {
         crease: lines(params.creases, StripKind::Crease, &measure.crease, 1),
         border: lines(params.borders, StripKind::Border, &measure.border, reach.border_hops),
+    };
+    if reach.openness > 0.0 {
+        dock(&mut pattern, resolution);
     }
+    pattern
 }

@@ -1,5 +1,6 @@
 //! What the linker leaves: a graph of points for each kind of line.
 
+use crate::math::vec3::{add_scaled, sub};
 use crate::network::StripKind;
 
 /// The crease pattern and the border pattern (Gumhold 2001, figure 1), local frame.
@@ -31,6 +32,8 @@ pub struct LineGraph {
     pub fold: Vec<f32>,
     /// `(V)` neighbours of each vertex in the graph, ascending.
     pub edges: Vec<Vec<u32>>,
+    /// Vertices that are nodes though only two lines meet in them: corners, and what the other pattern meets there.
+    pub nodes: Vec<u32>,
 }
 
 impl LineGraph {
@@ -61,6 +64,31 @@ impl LineGraph {
         self.fold.push(0.0);
         self.edges.push(Vec::new());
         (self.edges.len() - 1) as u32
+    }
+
+    /// `(V)` whether strips end at the vertex: where one, three or more lines meet, and at the `nodes`.
+    pub fn is_node(&self) -> Vec<bool> {
+        let mut is_node: Vec<bool> = self.edges.iter().map(|e| !matches!(e.len(), 0 | 2)).collect();
+        self.nodes
+            .iter()
+            .filter(|&&v| self.edges[v as usize].len() == 2)
+            .for_each(|&v| is_node[v as usize] = true);
+        is_node
+    }
+
+    /// Puts vertices on the edge between `a` and `b`, so that it becomes `pieces` edges of one length.
+    pub fn subdivide(&mut self, a: u32, b: u32, pieces: u32) {
+        let [from, to] = [a, b].map(|v| self.positions[v as usize]);
+        self.remove_edge(a, b);
+        let mut before = a;
+        for piece in 1..pieces {
+            let share = f64::from(piece) / f64::from(pieces);
+            let model = if share < 0.5 { a } else { b };
+            let next = self.add_vertex(model, add_scaled(from, sub(to, from), share));
+            self.add_edge(before, next);
+            before = next;
+        }
+        self.add_edge(before, b);
     }
 
     /// Takes the edge between `a` and `b` away.

@@ -4,7 +4,9 @@ mod common;
 
 use common::{found, scored};
 use lineament::shapes::{Sampled, Sampling, Scan, Shape, cube_386, random_cube};
-use lineament::shapes::{cuboid, cylinders, sheet, sheet_with_hole, sphere, stepped_shaft, tapered_block};
+use lineament::shapes::{
+    bent_sheet, cuboid, cylinders, sheet, sheet_with_hole, sphere, stepped_shaft, tapered_block,
+};
 use lineament::shapes::{torus, tube, wedge};
 use lineament::{Class, NodeKind, Strip, StripKind, check};
 
@@ -112,6 +114,34 @@ fn open_sheet_has_its_border_and_no_crease() {
 fn border_of_a_sheet_is_one_ring() {
     let scan = blue_noise(&sheet(), 4000, 0.0);
     assert!(check::isomorphic(&found(&scan.cloud).network, &scan.truth));
+}
+
+#[test]
+fn corners_of_a_sheet_are_nodes_with_and_without_noise() {
+    for noise in [0.0, 0.25] {
+        let scan = blue_noise(&sheet(), 4000, noise);
+        let network = found(&scan.cloud).network;
+        let near = |p: &[f64; 3]| {
+            let d = |q: &[f64; 3]| (0..3).map(|k| (p[k] - q[k]).powi(2)).sum::<f64>().sqrt();
+            network.nodes.iter().any(|node| d(&node.position) <= 2.0 * scan.spacing)
+        };
+        let hit = scan.truth.nodes.iter().filter(|node| near(&node.position)).count();
+        assert_eq!((hit, network.nodes.len()), (4, 4), "noise {noise}");
+    }
+}
+
+#[test]
+fn crease_of_a_bent_sheet_ends_on_its_border() {
+    for noise in [0.0, 0.25] {
+        let scan = blue_noise(&bent_sheet(70.0), 6000, noise);
+        let network = found(&scan.cloud).network;
+        let creases: Vec<&Strip> = network.strips.iter().filter(|s| s.kind == StripKind::Crease).collect();
+        assert_eq!(creases.len(), 1, "noise {noise}");
+        assert_eq!(network.count(NodeKind::End), 0, "noise {noise}");
+        assert_eq!(network.count(NodeKind::Junction), 2, "noise {noise}");
+        let score = check::against(&network, &scan.truth, scan.spacing);
+        assert!(score.at_2h.f1 >= 0.95, "noise {noise}: {score:?}");
+    }
 }
 
 #[test]

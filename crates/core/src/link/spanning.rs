@@ -24,6 +24,7 @@ pub fn minimum_spanning_graph(
         expected: penalties.expected.clone(),
         fold: penalties.fold.clone(),
         edges: vec![Vec::new(); penalties.len()],
+        nodes: Vec::new(),
     };
     let mut sets = UnionFind::new(penalties.len());
     let mut walker = Walker::new(penalties.len(), resolution, reach);

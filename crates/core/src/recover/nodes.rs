@@ -10,7 +10,7 @@ use crate::math::vec3::{add_scaled, distance, scale};
 use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
-/// Strips between two junctions up to this many spacings long are taken for one junction.
+/// Strips between two junctions or corners up to this many spacings long are taken for one.
 const CONTRACTED: f64 = 3.0;
 
 /// One node.
@@ -52,10 +52,10 @@ pub fn meet(lines: &LineGraph, paths: Vec<Path>, resolution: Resolution) -> (Vec
     (kept, clusters)
 }
 
-/// Whether the strip lies between two junctions and is too short to be one.
+/// Whether the strip lies between two nodes that other strips meet too, and is too short to be one.
 fn is_short(lines: &LineGraph, path: &Path, resolution: Resolution) -> bool {
     let Some([a, b]) = path.ends else { return false };
-    let junctions = lines.edges[a as usize].len() > 2 && lines.edges[b as usize].len() > 2;
+    let junctions = lines.edges[a as usize].len() > 1 && lines.edges[b as usize].len() > 1;
     let length: f64 = path
         .vertices
         .windows(2)

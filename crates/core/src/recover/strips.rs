@@ -1,4 +1,4 @@
-//! Crease strips: the maximal paths of a pattern between vertices of degree other than two, and its closed loops
+//! Crease strips: the maximal paths of a pattern between its nodes, and its closed loops
 //! (Gumhold 2001, section 4.1).
 
 use crate::pattern::LineGraph;
@@ -14,15 +14,15 @@ pub struct Path {
 
 /// All strips, each once: those with ends from their lesser vertex on, then the loops from their least vertex.
 pub fn paths(lines: &LineGraph) -> Vec<Path> {
-    let degree = |v: u32| lines.edges[v as usize].len();
+    let is_node = lines.is_node();
     let mut used = vec![false; lines.edges.len()];
     let mut paths = Vec::new();
     for v in 0..lines.edges.len() as u32 {
-        if degree(v) == 0 || degree(v) == 2 {
+        if !is_node[v as usize] {
             continue;
         }
         for &next in &lines.edges[v as usize] {
-            let vertices = follow(lines, v, next);
+            let vertices = follow(lines, &is_node, v, next);
             let last = vertices[vertices.len() - 1];
             // Seen from both ends; a strip that comes back to its own node is seen in both directions.
             let mirror = (last, vertices[vertices.len() - 2]);
@@ -35,8 +35,8 @@ pub fn paths(lines: &LineGraph) -> Vec<Path> {
         }
     }
     for v in 0..lines.edges.len() as u32 {
-        if degree(v) == 2 && !used[v as usize] {
-            let mut vertices = follow(lines, v, lines.edges[v as usize][0]);
+        if lines.edges[v as usize].len() == 2 && !used[v as usize] {
+            let mut vertices = follow(lines, &is_node, v, lines.edges[v as usize][0]);
             vertices.pop();
             for &w in &vertices {
                 used[w as usize] = true;
@@ -47,11 +47,11 @@ pub fn paths(lines: &LineGraph) -> Vec<Path> {
     paths
 }
 
-/// Walks from `v` over `next` until a vertex of degree other than two, or `v` again.
-fn follow(lines: &LineGraph, v: u32, next: u32) -> Vec<u32> {
+/// Walks from `v` over `next` until a node, or `v` again.
+fn follow(lines: &LineGraph, is_node: &[bool], v: u32, next: u32) -> Vec<u32> {
     let mut vertices = vec![v, next];
     let (mut before, mut at) = (v, next);
-    while lines.edges[at as usize].len() == 2 && at != v {
+    while !is_node[at as usize] && at != v {
         let pair = &lines.edges[at as usize];
         let onward = if pair[0] == before { pair[1] } else { pair[0] };
         vertices.push(onward);

@@ -87,7 +87,7 @@ fn push(
 ) {
     let share = 1.0 / members.len() as f64;
     let mean = |values: &[f32]| members.iter().map(|&c| f64::from(values[c as usize])).sum::<f64>() * share;
-    let LineGraph { points, positions, penalty, corner, evidence, expected, fold, edges } =
+    let LineGraph { points, positions, penalty, corner, evidence, expected, fold, edges, .. } =
         &mut clusters.lines;
     points.push(penalties.points[members[0] as usize]);
     positions

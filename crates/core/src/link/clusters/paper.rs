@@ -85,6 +85,7 @@ fn all_clusters(points: &[[f64; 3]], rings: &Neighbors, segments: &Segmentation)
             expected: vec![0.0; small.len()],
             fold: vec![0.0; small.len()],
             edges: vec![Vec::new(); small.len()],
+            nodes: Vec::new(),
         },
         large: vec![Vec::new(); small.len()],
         weights: Vec::new(),

@@ -1,0 +1,286 @@
+//! Corners of a strip: where two straight pieces meet at an angle, the strip has a node.
+//!
+//! Creases that meet find their node by themselves; the corner of a border or of a lone crease is a vertex like any other, and
+//! a spline would round it. Around each vertex two straight lines are set against one smooth curve, both fitted to the
+//! vertices on either side; the nearest are left out, as what drew the line together has rounded them. Not in Gumhold 2001.
+
+use crate::detect::tensor::add_product;
+use crate::math::eigen3::eigen3;
+use crate::math::skyline::Skyline;
+use crate::math::vec3::{add, add_scaled, distance, dot, norm, scale, sub, unit};
+use crate::network::StripKind;
+use crate::pattern::LineGraph;
+use crate::recover::{Path, paths};
+use crate::resolution::Resolution;
+
+/// Vertices nearer to a corner than this, spacings, say nothing of its sides.
+const NEAR: f64 = 1.25;
+/// Lengths of the sides that are looked at, spacings: long ones tell more, short ones fit between two corners.
+const SIDES: [f64; 2] = [10.0, 6.0];
+/// Least share of its length that a side must have, and the fewest vertices on it.
+const LEAST_SIDE: (f64, usize) = (0.8, 4);
+/// Least length of path between two corners, spacings.
+const APART: f64 = 3.0;
+/// Least turn of a corner, degrees.
+const TURN_DEG: f64 = 45.0;
+/// Greatest ratio of the residual of two lines to that of a smooth curve, at the least turn and at a right angle: a bend that
+/// is hardly one has to be the clearer.
+const RATIO: [f64; 2] = [0.4, 0.6];
+/// What drew the line together rounds a corner with no greater radius than this, spacings: a border's points are drawn
+/// together along it, a crease's feet hardly; a round that is greater is the part's own.
+const ROUNDED: [(StripKind, f64); 2] = [(StripKind::Crease, 1.0), (StripKind::Border, 4.0)];
+/// How far the path may miss the corner beside that, spacings.
+const ASIDE: f64 = 0.35;
+
+/// A corner found on a path.
+#[derive(Clone, Copy, Debug)]
+struct Corner {
+    /// Index into the path.
+    at: usize,
+    position: [f64; 3],
+    ratio: f64,
+    /// Length of path on either side that the rounding spoils, spacings.
+    spoilt: f64,
+}
+
+/// Puts a node at every corner of the strips.
+pub fn corners(lines: &mut LineGraph, kind: StripKind, resolution: Resolution) {
+    let h = resolution.unit();
+    let rounded = ROUNDED.iter().find(|r| r.0 == kind).map_or(0.0, |r| r.1);
+    for path in paths(lines) {
+        let run = Run::new(lines, &path, h, rounded);
+        for corner in run.corners() {
+            place(lines, &path, &run, corner);
+        }
+    }
+}
+
+/// The vertices of a path with their distance along it, in spacings.
+struct Run {
+    positions: Vec<[f64; 3]>,
+    along: Vec<f64>,
+    length: f64,
+    closed: bool,
+    h: f64,
+    /// Greatest radius of a corner's rounding, spacings.
+    rounded: f64,
+}
+
+impl Run {
+    fn new(lines: &LineGraph, path: &Path, h: f64, rounded: f64) -> Run {
+        let positions: Vec<[f64; 3]> = path.vertices.iter().map(|&v| lines.positions[v as usize]).collect();
+        let mut along = vec![0.0];
+        for pair in positions.windows(2) {
+            along.push(along[along.len() - 1] + distance(pair[0], pair[1]) / h);
+        }
+        let closed = path.ends.is_none();
+        let last = along[along.len() - 1];
+        let gap = if closed { distance(positions[0], positions[positions.len() - 1]) / h } else { 0.0 };
+        Run { positions, along, length: last + gap, closed, h, rounded }
+    }
+
+    /// The vertices from `near` to a side's length behind (-1) or ahead (+1) of `at`: distance along the path and position, in the
+    /// order away from it.
+    fn side(&self, at: usize, step: isize, side: f64, near: f64) -> Vec<(f64, [f64; 3])> {
+        let count = self.positions.len() as isize;
+        let mut found = Vec::new();
+        for k in 1..count {
+            let raw = at as isize + step * k;
+            if !self.closed && !(0..count).contains(&raw) {
+                break;
+            }
+            let i = raw.rem_euclid(count) as usize;
+            let turns = raw.div_euclid(count) as f64;
+            let s = self.along[i] + turns * self.length - self.along[at];
+            if s.abs() > side.min(0.4 * self.length) {
+                break;
+            }
+            if s.abs() >= near {
+                found.push((s, self.positions[i]));
+            }
+        }
+        found
+    }
+
+    /// The corners, the clearest first, each at least a side's least length from the next.
+    fn corners(&self) -> Vec<Corner> {
+        let mut all: Vec<Corner> = (0..self.positions.len())
+            .filter_map(|i| SIDES.iter().find_map(|&side| self.corner(i, side)))
+            .collect();
+        all.sort_by(|a, b| a.ratio.total_cmp(&b.ratio).then(a.at.cmp(&b.at)));
+        let mut kept: Vec<Corner> = Vec::new();
+        for corner in all {
+            let apart = |k: &Corner| {
+                let s = (self.along[k.at] - self.along[corner.at]).abs();
+                if self.closed { s.min(self.length - s) } else { s }
+            };
+            if kept.iter().all(|k| apart(k) >= (k.spoilt + corner.spoilt).max(APART)) {
+                kept.push(corner);
+            }
+        }
+        kept
+    }
+
+    /// The corner that sides of this length show at a vertex; where the path is rounded it is placed by what lies beyond.
+    fn corner(&self, at: usize, side: f64) -> Option<Corner> {
+        let first = self.meeting(at, side, NEAR)?;
+        let (turn, spoilt) = first.rounding(self.off(at, first.position) / self.h, self.rounded)?;
+        let beyond = if spoilt > NEAR { self.meeting(at, side, spoilt) } else { None };
+        let position = beyond.map_or(first.position, |b| b.position);
+        let [least, right] = RATIO;
+        let share = ((turn - TURN_DEG) / (90.0 - TURN_DEG)).clamp(0.0, 1.0);
+        let clear = first.ratio <= least + share * (right - least);
+        (turn >= TURN_DEG && clear).then_some(Corner {
+            at,
+            position,
+            ratio: first.ratio,
+            spoilt: spoilt.max(NEAR),
+        })
+    }
+
+    /// Where the lines through both sides meet.
+    fn meeting(&self, at: usize, side: f64, near: f64) -> Option<Meeting> {
+        let sides = [-1, 1].map(|step| self.side(at, step, side, near));
+        let (share, fewest) = LEAST_SIDE;
+        if sides.iter().any(|s| s.len() < fewest || s[s.len() - 1].0.abs() < share * side) {
+            return None;
+        }
+        let [behind, ahead] = [0, 1].map(|k| Line::fit(&sides[k]));
+        let position = crossing(&behind, &ahead)?;
+        let count = (sides[0].len() + sides[1].len()) as f64;
+        let straight = ((behind.squares + ahead.squares) / count).sqrt();
+        let ratio = straight / smooth_residual(&sides).max(1e-9 * self.h);
+        Some(Meeting { position, cosine: -dot(behind.direction, ahead.direction), ratio })
+    }
+
+    /// How far a place near vertex `at` lies from the path.
+    fn off(&self, at: usize, place: [f64; 3]) -> f64 {
+        let count = self.positions.len();
+        let window = if self.closed { count } else { count - 1 };
+        let first = if self.closed { at + count - 3 } else { at.saturating_sub(3) };
+        (first..first + 6)
+            .filter(|&i| self.closed || i < window)
+            .map(|i| [i % count, (i + 1) % count].map(|k| self.positions[k]))
+            .map(|[a, b]| {
+                let d = sub(b, a);
+                let t = (dot(sub(place, a), d) / dot(d, d).max(1e-30)).clamp(0.0, 1.0);
+                distance(place, add_scaled(a, d, t))
+            })
+            .fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// What two sides say of a vertex.
+#[derive(Clone, Copy, Debug)]
+struct Meeting {
+    /// Where their lines meet.
+    position: [f64; 3],
+    /// Of the turn.
+    cosine: f64,
+    /// Residual of the lines over that of a smooth curve.
+    ratio: f64,
+}
+
+impl Meeting {
+    /// The turn, degrees, and the length of path on either side that is rounded off if it passes the corner at the distance
+    /// `aside`, spacings: an arc of radius `r` misses a corner by `r (1 / cos(turn / 2) - 1)` and leaves its sides
+    /// `r tan(turn / 2)` before it. `None` where no rounding explains the distance.
+    fn rounding(&self, aside: f64, rounded: f64) -> Option<(f64, f64)> {
+        let half = 0.5 * self.cosine.clamp(-1.0, 1.0).acos();
+        let missed = (1.0 / half.cos().max(0.1) - 1.0).max(1e-6);
+        let radius = (aside / missed).min(rounded);
+        (aside <= rounded * missed + ASIDE).then(|| (2.0 * half.to_degrees(), radius * half.tan()))
+    }
+}
+
+/// A straight line through one side.
+struct Line {
+    centre: [f64; 3],
+    /// Unit, away from the corner.
+    direction: [f64; 3],
+    /// Sum of the squared distances from the line.
+    squares: f64,
+}
+
+impl Line {
+    fn fit(side: &[(f64, [f64; 3])]) -> Line {
+        let share = 1.0 / side.len() as f64;
+        let centre = side.iter().fold([0.0; 3], |sum, s| add_scaled(sum, s.1, share));
+        let mut tensor = [0.0; 6];
+        side.iter().for_each(|s| add_product(&mut tensor, sub(s.1, centre), 1.0));
+        let axes = eigen3(&tensor);
+        let outward = sub(side[side.len() - 1].1, side[0].1);
+        let axis = axes.vectors[2];
+        let direction = if dot(axis, outward) < 0.0 { scale(axis, -1.0) } else { axis };
+        Line { centre, direction, squares: axes.values[0].max(0.0) + axes.values[1].max(0.0) }
+    }
+}
+
+/// Half way between the places where two lines pass nearest.
+fn crossing(a: &Line, b: &Line) -> Option<[f64; 3]> {
+    let cosine = dot(a.direction, b.direction);
+    let sine2 = 1.0 - cosine * cosine;
+    if sine2 < 1e-3 {
+        return None;
+    }
+    let gap = sub(b.centre, a.centre);
+    let (u, v) = (dot(gap, a.direction), dot(gap, b.direction));
+    let p = add_scaled(a.centre, a.direction, (u - cosine * v) / sine2);
+    let q = add_scaled(b.centre, b.direction, (cosine * u - v) / sine2);
+    Some(scale(add(p, q), 0.5))
+}
+
+/// Root mean square distance from the cubic curve over the distance along the path that fits both sides best.
+fn smooth_residual(sides: &[Vec<(f64, [f64; 3])>; 2]) -> f64 {
+    let all = || sides.iter().flatten().map(|&(s, p)| (s / SIDES[0], p));
+    let mut matrix = Skyline::zeros(vec![0; 4]);
+    let mut right = vec![[0.0; 3]; 4];
+    for (s, p) in all() {
+        let powers = [1.0, s, s * s, s * s * s];
+        for i in 0..4 {
+            right[i] = add_scaled(right[i], p, powers[i]);
+            (i..4).for_each(|j| matrix.add(i, j, powers[i] * powers[j]));
+        }
+    }
+    if !matrix.factorise() {
+        return 0.0;
+    }
+    matrix.solve(&mut right);
+    let (mut squares, mut count) = (0.0, 0.0);
+    for (s, p) in all() {
+        let at =
+            [s, s * s, s * s * s].iter().zip(&right[1..]).fold(right[0], |a, (&w, &c)| add_scaled(a, c, w));
+        let tangent = unit(add_scaled(add_scaled(right[1], right[2], 2.0 * s), right[3], 3.0 * s * s));
+        let d = sub(p, at);
+        let aside = norm(add_scaled(d, tangent, -dot(d, tangent)));
+        squares += aside * aside;
+        count += 1.0;
+    }
+    (squares / count).sqrt()
+}
+
+/// Puts a node at the corner in place of the vertices next to it.
+fn place(lines: &mut LineGraph, path: &Path, run: &Run, corner: Corner) {
+    let vertex = path.vertices[corner.at];
+    lines.positions[vertex as usize] = corner.position;
+    lines.corner[vertex as usize] = 0.0;
+    lines.nodes.push(vertex);
+    let count = path.vertices.len();
+    for step in [1, count - 1] {
+        let mut i = corner.at;
+        loop {
+            let next = (i + step) % count;
+            let inner = if run.closed { true } else { next > 0 && next + 1 < count };
+            let s = (run.along[next] - run.along[corner.at]).abs();
+            let s = if run.closed { s.min(run.length - s) } else { s };
+            if !inner || s >= corner.spoilt {
+                lines.add_edge(vertex, path.vertices[next]);
+                break;
+            }
+            lines.remove_edge(path.vertices[i], path.vertices[next]);
+            let after = path.vertices[(next + step) % count];
+            lines.remove_edge(path.vertices[next], after);
+            i = next;
+        }
+    }
+}

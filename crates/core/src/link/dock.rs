@@ -1,0 +1,113 @@
+//! Creases that end near a border end on it: the surface that folds ends there too.
+//!
+//! Both patterns get a vertex at the same place, which is a node of both. Not in Gumhold 2001, whose patterns do not meet.
+
+use crate::math::vec3::{add, distance, distance2, dot, norm, scale, sub, unit};
+use crate::neighbors::Index;
+use crate::pattern::{LineGraph, Pattern};
+use crate::resolution::Resolution;
+
+/// How far a loose crease end may be from a border, spacings, and how far it may look aside from it, degrees; nearest first.
+const REACH: [(f64, f64); 3] = [(2.0, 100.0), (4.0, 60.0), (6.0, 35.0)];
+/// Length of crease that an end's direction is taken from, spacings.
+const TANGENT: f64 = 4.0;
+/// Greatest length of a border's edge near a loose end, spacings.
+const STEP: f64 = 1.0;
+/// A node of the border that is no farther than this from where a crease would meet it is where it does, spacings.
+const SAME_NODE: f64 = 2.0;
+
+/// Leads loose crease ends on to borders.
+pub fn dock(pattern: &mut Pattern, resolution: Resolution) {
+    let h = resolution.unit();
+    let Pattern { crease, border } = pattern;
+    let ends: Vec<u32> =
+        (0..crease.edges.len() as u32).filter(|&v| crease.edges[v as usize].len() == 1).collect();
+    refine(border, ends.iter().map(|&v| crease.positions[v as usize]).collect(), h);
+    let on: Vec<u32> =
+        (0..border.edges.len() as u32).filter(|&v| !border.edges[v as usize].is_empty()).collect();
+    let positions: Vec<[f64; 3]> = on.iter().map(|&v| border.positions[v as usize]).collect();
+    let index = Index::build(&positions);
+    let mut is_node = border.is_node();
+    let mut found = Vec::new();
+    for end in ends {
+        let at = crease.positions[end as usize];
+        let tangent = tangent(crease, end, h);
+        let target = REACH.iter().find_map(|&(reach, angle)| {
+            index.within(at, reach * h, &mut found);
+            let vertices = found.iter().map(|f| on[f.index as usize]);
+            ahead(border, vertices, at, tangent, angle)
+        });
+        if let Some(target) = target {
+            index.within(border.positions[target as usize], SAME_NODE * h, &mut found);
+            let node = found.iter().map(|f| on[f.index as usize]).find(|&v| is_node[v as usize]);
+            let target = node.unwrap_or(target);
+            meet(crease, border, end, target);
+            is_node[target as usize] = true;
+        }
+    }
+}
+
+/// Gives the border vertices along its long edges that pass near loose ends, for the ends to meet.
+fn refine(border: &mut LineGraph, ends: Vec<[f64; 3]>, h: f64) {
+    let index = Index::build(&ends);
+    let mut found = Vec::new();
+    for a in 0..border.edges.len() as u32 {
+        for b in border.edges[a as usize].clone().into_iter().filter(|&b| b > a) {
+            let [from, to] = [a, b].map(|v| border.positions[v as usize]);
+            let length = distance(from, to);
+            index.within(scale(add(from, to), 0.5), 0.5 * length + REACH[2].0 * h, &mut found);
+            let pieces = (length / (STEP * h)).ceil() as u32;
+            if pieces > 1 && !found.is_empty() {
+                border.subdivide(a, b, pieces);
+            }
+        }
+    }
+}
+
+/// Of some vertices of the border the one that the end reaches with the least way and turn.
+fn ahead(
+    border: &LineGraph,
+    vertices: impl Iterator<Item = u32>,
+    at: [f64; 3],
+    tangent: [f64; 3],
+    angle_deg: f64,
+) -> Option<u32> {
+    let cosine = angle_deg.to_radians().cos();
+    vertices
+        .filter_map(|v| {
+            let gap = sub(border.positions[v as usize], at);
+            let length = norm(gap);
+            let straight = if length > 0.0 { dot(tangent, gap) / length } else { 1.0 };
+            (straight >= cosine).then_some((length * (2.0 - straight), v))
+        })
+        .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
+        .map(|(_, v)| v)
+}
+
+/// The direction in which a crease leaves its loose end.
+fn tangent(crease: &LineGraph, end: u32, h: f64) -> [f64; 3] {
+    let position = crease.positions[end as usize];
+    let (mut before, mut at) = (end, crease.edges[end as usize][0]);
+    while distance(crease.positions[at as usize], position) < TANGENT * h {
+        let next = &crease.edges[at as usize];
+        if next.len() != 2 {
+            break;
+        }
+        (before, at) = (at, if next[0] == before { next[1] } else { next[0] });
+        if at == end {
+            break;
+        }
+    }
+    unit(sub(position, crease.positions[at as usize]))
+}
+
+/// Lengthens the crease from `end` to the border's vertex `target`, a node from now on.
+fn meet(crease: &mut LineGraph, border: &mut LineGraph, end: u32, target: u32) {
+    let place = border.positions[target as usize];
+    if distance2(crease.positions[end as usize], place) > 0.0 {
+        let vertex = crease.add_vertex(end, place);
+        crease.points[vertex as usize] = border.points[target as usize];
+        crease.add_edge(end, vertex);
+    }
+    border.nodes.push(target);
+}
