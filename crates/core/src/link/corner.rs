@@ -130,7 +130,8 @@ impl Run {
         let [least, right] = RATIO;
         let share = ((turn - TURN_DEG) / (90.0 - TURN_DEG)).clamp(0.0, 1.0);
         let clear = first.ratio <= least + share * (right - least);
-        (turn >= TURN_DEG && clear).then_some(Corner {
+        // A rounding that leaves nothing of the sides is no corner's.
+        (turn >= TURN_DEG && clear && spoilt <= 0.5 * side).then_some(Corner {
             at,
             position,
             ratio: first.ratio,
@@ -268,9 +269,9 @@ fn place(lines: &mut LineGraph, path: &Path, run: &Run, corner: Corner) {
     let count = path.vertices.len();
     for step in [1, count - 1] {
         let mut i = corner.at;
-        loop {
+        for _ in 1..count {
             let next = (i + step) % count;
-            let inner = if run.closed { true } else { next > 0 && next + 1 < count };
+            let inner = run.closed || (next > 0 && next + 1 < count);
             let s = (run.along[next] - run.along[corner.at]).abs();
             let s = if run.closed { s.min(run.length - s) } else { s };
             if !inner || s >= corner.spoilt {
