@@ -1,62 +1,14 @@
 //! Inputs of scanners: E57, PTX and PTS.
 
 mod common;
+use common::e57::two_scans;
 use common::{from_bytes, shared};
-use e57::{E57Writer, Quaternion, Record, RecordDataType, RecordName, RecordValue, Transform, Translation};
 use lineament::Column;
 use lineament_io::{Format, ReadOptions, read};
 use proptest::prelude::*;
-use std::io::Cursor;
 
 fn options() -> ReadOptions {
     ReadOptions::default()
-}
-
-/// Two scans: Cartesian with states, intensities and colours, moved and turned; spherical, where it is.
-fn e57() -> Vec<u8> {
-    let mut bytes = Cursor::new(Vec::new());
-    let mut writer = E57Writer::new(&mut bytes, "file").unwrap();
-    let integer = |max| RecordDataType::Integer { min: 0, max };
-    let record = |name, data_type| Record { name, data_type };
-    let double = || RecordDataType::F64;
-    let prototype = vec![
-        record(RecordName::CartesianX, double()),
-        record(RecordName::CartesianY, double()),
-        record(RecordName::CartesianZ, double()),
-        record(RecordName::CartesianInvalidState, integer(2)),
-        record(RecordName::ColorRed, integer(255)),
-        record(RecordName::ColorGreen, integer(255)),
-        record(RecordName::ColorBlue, integer(255)),
-        record(RecordName::Intensity, integer(4095)),
-    ];
-    let mut scan = writer.add_pointcloud("first", prototype).unwrap();
-    // A quarter turn about z, then 100 along x.
-    let half = std::f64::consts::FRAC_1_SQRT_2;
-    let rotation = Quaternion { w: half, x: 0.0, y: 0.0, z: half };
-    scan.set_transform(Some(Transform { rotation, translation: Translation { x: 100.0, y: 0.0, z: 0.0 } }));
-    for i in 0..1000 {
-        let double = |v: i64| RecordValue::Double(v as f64);
-        let [state, red, intensity] =
-            [i64::from(i % 4 == 0) * 2, i % 256, i % 4096].map(RecordValue::Integer);
-        let (green, blue) = (RecordValue::Integer(1), RecordValue::Integer(2));
-        scan.add_point(vec![double(i), double(2), double(3), state, red, green, blue, intensity]).unwrap();
-    }
-    scan.finalize().unwrap();
-    let single = || RecordDataType::F32;
-    let prototype = vec![
-        record(RecordName::SphericalRange, single()),
-        record(RecordName::SphericalAzimuth, double()),
-        record(RecordName::SphericalElevation, double()),
-    ];
-    let mut scan = writer.add_pointcloud("second", prototype).unwrap();
-    for azimuth in [0.0, std::f64::consts::FRAC_PI_2] {
-        let values = vec![RecordValue::Single(2.0), RecordValue::Double(azimuth), RecordValue::Double(0.0)];
-        scan.add_point(values).unwrap();
-    }
-    scan.finalize().unwrap();
-    writer.finalize().unwrap();
-    drop(writer);
-    bytes.into_inner()
 }
 
 fn near(a: [f64; 3], b: [f64; 3]) -> bool {
@@ -65,7 +17,7 @@ fn near(a: [f64; 3], b: [f64; 3]) -> bool {
 
 #[test]
 fn e57_scans_are_moved_by_their_poses_and_invalid_points_left_out() {
-    let scan = from_bytes(&e57(), "two.e57", &options()).unwrap();
+    let scan = from_bytes(&two_scans(1000), "two.e57", &options()).unwrap();
     assert_eq!((scan.format, scan.cloud.len()), (Format::E57, 752));
     assert!(near(scan.cloud.positions[0], [98.0, 1.0, 3.0]), "{:?}", scan.cloud.positions[0]);
     assert!(near(scan.cloud.positions[750], [2.0, 0.0, 0.0]));
@@ -79,7 +31,7 @@ fn e57_scans_are_moved_by_their_poses_and_invalid_points_left_out() {
 
 #[test]
 fn one_e57_scan_can_be_chosen() {
-    let one = |scan| from_bytes(&e57(), "two.e57", &ReadOptions { scan: Some(scan), ..options() });
+    let one = |scan| from_bytes(&two_scans(1000), "two.e57", &ReadOptions { scan: Some(scan), ..options() });
     assert_eq!(one(2).unwrap().cloud.len(), 2);
     let error = one(3).unwrap_err().to_string();
     assert!(error.contains("no scan 3 of 2"), "{error}");
@@ -87,7 +39,7 @@ fn one_e57_scan_can_be_chosen() {
 
 #[test]
 fn a_cut_or_damaged_e57_is_an_error() {
-    let whole = e57();
+    let whole = two_scans(1000);
     for length in (0..whole.len()).step_by(97) {
         assert!(from_bytes(&whole[..length], "cut.e57", &options()).is_err(), "{length}");
     }

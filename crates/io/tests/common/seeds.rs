@@ -1,0 +1,119 @@
+//! A network, and small inputs in every format: what damaged inputs and the fuzz targets begin with.
+
+use lineament::curve::BSpline;
+use lineament::{Attribute, Cloud, Column, Network, Node, NodeKind, Strip, StripKind};
+use lineament_io::{NetworkFormat, PointFormat, PointTable, write_network_to, write_points_to};
+
+/// Two creases and a border loop: a junction-like node with an open strip, a strip back to its own node, a loop.
+pub fn network() -> Network {
+    let strip = |kind, start: Option<u32>, end, points: &[[f64; 3]]| Strip {
+        kind,
+        closed: start.is_none(),
+        start,
+        end,
+        points: points.to_vec(),
+        curve: BSpline {
+            degree: 1,
+            knots: vec![0.0, 0.0, 1.0, 1.0],
+            controls: vec![points[0], points[points.len() - 1]],
+            periodic: start.is_none(),
+        },
+        sources: vec![0, 1],
+        fold_deg: None,
+        evidence: 0.0,
+        deviation: 1e-7,
+        confidence: 0.875,
+    };
+    let node = |position, kind, degree| Node { position, kind, degree, source: 4 };
+    let (a, b) = ([0.1, 0.2, 0.3], [1.0 / 3.0, 5648349.895035, -1e-9]);
+    Network {
+        nodes: vec![node(a, NodeKind::Junction, 3), node(b, NodeKind::End, 1)],
+        strips: vec![
+            strip(StripKind::Crease, Some(0), Some(1), &[a, [0.5, 0.5, 0.5], b]),
+            strip(StripKind::Crease, Some(0), Some(0), &[a, [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], a]),
+            strip(
+                StripKind::Border,
+                None,
+                None,
+                &[[5.0, 0.0, 0.0], [6.0, 0.0, 0.0], [6.0, 1.0, 0.0], [5.0, 1.0, 0.0]],
+            ),
+        ],
+    }
+}
+
+/// Small clouds in every format that points are written in, and what other formats look like: seeds to damage.
+pub fn seeds() -> Vec<(String, Vec<u8>)> {
+    let positions =
+        (0..60).map(|i| [f64::from(i) * 0.5, f64::from(i % 7), f64::from(i % 3) * 0.25]).collect();
+    let values = Column::U16((0..60).collect());
+    let attributes = vec![Attribute { name: "intensity".into(), values }];
+    let cloud = Cloud { positions, attributes };
+    let table = PointTable { cloud: &cloud, classes: &[1; 60], scores: &[0.5; 60], las: None };
+    let formats = [
+        (PointFormat::Ply, "ply"),
+        (PointFormat::Pcd, "pcd"),
+        (PointFormat::Xyz, "xyz"),
+        (PointFormat::Csv, "csv"),
+        (PointFormat::Las, "las"),
+        (PointFormat::Laz, "laz"),
+    ];
+    let mut seeds: Vec<(String, Vec<u8>)> = Vec::new();
+    for (format, extension) in formats {
+        let mut bytes = Vec::new();
+        write_points_to(&mut bytes, format, &table).unwrap();
+        seeds.push((format!("seed.{extension}"), bytes));
+    }
+    for format in [NetworkFormat::Ply, NetworkFormat::Obj, NetworkFormat::Glb] {
+        let mut bytes = Vec::new();
+        write_network_to(&mut bytes, format, &network(), &Default::default()).unwrap();
+        seeds.push((format!("lines.{format}"), bytes));
+    }
+    let text = [
+        ("seed.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n"),
+        (
+            "seed.stl",
+            "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n",
+        ),
+        (
+            "seed.ptx",
+            "1\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n1 2 3 0.5\n0 0 0 0.5\n",
+        ),
+        ("seed.pts", "2\n1 2 3 4 5 6 7\n8 9 10 11 12 13 14\n"),
+        (
+            "ascii.pcd",
+            "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA ascii\n1 2 3\n4 5 6\n",
+        ),
+        (
+            "ascii.ply",
+            "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nproperty list uchar int n\nend_header\n1 2 3 2 1 1\n4 5 6 0\n",
+        ),
+    ];
+    seeds.extend(text.map(|(name, text)| (name.into(), text.as_bytes().to_vec())));
+    let mut stl = vec![0u8; 80];
+    stl.extend(2u32.to_le_bytes());
+    stl.resize(184, 0x3f);
+    seeds.push(("binary.stl".into(), stl));
+    let mut packed =
+        b"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 8\nHEIGHT 1\nDATA binary_compressed\n".to_vec();
+    packed.extend(4u32.to_le_bytes().into_iter().chain(96u32.to_le_bytes()).chain([0, 1, 7 << 5, 86]));
+    packed.push(0);
+    packed[75] += 1;
+    seeds.push(("packed.pcd".into(), packed));
+    let header = "{'descr': '<f4', 'fortran_order': False, 'shape': (4, 3), }\n";
+    let mut npy = b"\x93NUMPY\x01\x00".to_vec();
+    npy.extend((header.len() as u16).to_le_bytes());
+    npy.extend(header.as_bytes());
+    npy.resize(npy.len() + 48, 0);
+    seeds.push(("seed.npy".into(), npy));
+    seeds.push(("two.e57".into(), super::e57::two_scans(40)));
+    for (format, chunk, name) in
+        [(3, None, "3.las"), (10, None, "10.las"), (3, Some(10), "3.laz"), (7, Some(10), "7.laz")]
+    {
+        seeds.push((name.into(), super::las::file(format, 40, chunk)));
+    }
+    let mut expe =
+        b"[Expe/PointSet/Binary/0.1]\nproperty position 12\nproperty color 4\nnofpoints 3\ndata\n".to_vec();
+    expe.resize(expe.len() + 48, 0x3f);
+    seeds.push(("seed.expe".into(), expe));
+    seeds
+}
