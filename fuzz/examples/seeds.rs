@@ -1,5 +1,7 @@
 //! Writes the seeds of every target: `seeds FOLDER` makes `FOLDER/TARGET/NAME`.
 
+#[path = "../../crates/io/tests/common/copc.rs"]
+mod copc;
 #[path = "../../crates/io/tests/common/e57.rs"]
 mod e57;
 #[path = "../../crates/io/tests/common/las.rs"]

@@ -21,6 +21,26 @@ impl fmt::Display for Place {
     }
 }
 
+/// Characters of what a message says of an input: a header may name thousands of columns.
+const LONGEST: usize = 300;
+
+/// Text that came from an input, for a message: shortened, and with what is no printable character escaped, so that
+/// no input can steer a terminal.
+pub(crate) fn printable(text: &str) -> String {
+    let mut short = String::new();
+    for c in text.chars().take(LONGEST) {
+        if c.is_control() || c == char::REPLACEMENT_CHARACTER {
+            short.extend(c.escape_unicode());
+        } else {
+            short.push(c);
+        }
+    }
+    if text.chars().nth(LONGEST).is_some() {
+        short.push_str("...");
+    }
+    short
+}
+
 /// Everything that can keep a file from being read or written.
 #[derive(Debug, Error)]
 #[non_exhaustive]

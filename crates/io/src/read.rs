@@ -16,7 +16,7 @@ mod select;
 pub(crate) mod stl;
 mod table;
 
-use crate::error::Error;
+use crate::error::{Error, printable};
 use crate::format::Format;
 use crate::source::Source;
 use lineament::Cloud;
@@ -166,8 +166,10 @@ pub fn read_from(reader: Box<dyn Read + Send>, name: &str, options: &ReadOptions
 
 fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
     let name = source.name().to_string();
+    source.peek(1 << 16)?;
+    // After the look ahead: it may have seen the end of a short pipe.
     let length = source.remaining();
-    let start = source.peek(1 << 16)?;
+    let start = source.peek(1)?;
     let format = match options.format {
         Some(format) if !start.is_empty() => format,
         _ => Format::detect(start, length, &name)?,
@@ -187,7 +189,8 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         Format::Glb => glb::read(&mut source, options)?,
     };
     source.drain()?;
-    let Decoded { mut cloud, mut ignored, missing, crs, las } = decoded;
+    let Decoded { mut cloud, ignored, missing, crs, las } = decoded;
+    let mut ignored: Vec<String> = ignored.iter().map(|what| printable(what)).collect();
     select::select(&mut cloud, options, &mut ignored);
     let (sha256, bytes) = (source.sha256(), source.offset());
     Ok(Scan { cloud, format, name, ignored, missing, crs, las, sha256, bytes })

@@ -1,6 +1,6 @@
 //! An input as one forward stream of bytes: buffered, counted, hashed on the way, with its length if known.
 
-use crate::error::{Error, Place};
+use crate::error::{Error, Place, printable};
 use sha2::{Digest, Sha256};
 use std::fs::File;
 use std::io::{BufReader, Cursor, Read, Seek};
@@ -207,13 +207,18 @@ impl Source {
 
     /// A fault at a stated place.
     pub fn fault(&self, place: Place, found: impl Into<String>, advice: impl Into<String>) -> Error {
-        Error::Malformed { name: self.name.clone(), place, found: found.into(), advice: advice.into() }
+        Error::Malformed {
+            name: self.name.clone(),
+            place,
+            found: printable(&found.into()),
+            advice: advice.into(),
+        }
     }
 
     /// The input stopped short of what was announced.
     pub fn ends_early(&self, unit: impl Into<String>, expected: u64, read: u64) -> Error {
         let place = Place::Byte(self.size());
-        Error::EndsEarly { name: self.name.clone(), place, unit: unit.into(), expected, read }
+        Error::EndsEarly { name: self.name.clone(), place, unit: printable(&unit.into()), expected, read }
     }
 
     /// Brings more bytes into the buffer, which grows when `wanted` do not fit.

@@ -1,6 +1,8 @@
 //! LAS 1.0 to 1.4, all point formats, and LAZ, its compressed form (ASPRS LAS 1.4 R15; Isenburg 2013). COPC files are
-//! LAZ and read whole. Coordinates are `integer * scale + offset`, as the format defines them.
+//! LAZ; with bounds only the nodes that overlap them are read. Coordinates are `integer * scale + offset`, as the format defines them.
 
+mod chunks;
+mod copc;
 mod header;
 mod laz;
 pub(crate) mod points;
@@ -28,7 +30,11 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     let mut table = table(&dimensions, options);
     let fields: Vec<_> = dimensions.iter().map(|d| d.field).collect();
     let rows = if header.compressed {
-        laz::read(source, &header, &frame, options, &fields, &mut table)?
+        let taken = laz::read(source, &header, &frame, options, &fields, &mut table)?;
+        if taken.passed > 0 {
+            out.ignored.push(format!("{} points in nodes outside the bounds", taken.passed));
+        }
+        taken.rows + taken.passed
     } else {
         skip_to_points(source, &header)?;
         let room = room(source, header.points, header.record_length as u64);
@@ -38,7 +44,8 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         rows
     };
     if rows < header.points {
-        out.cut(source, options, "points", header.points, rows)?;
+        let passed = rows - table.positions.len() as u64;
+        out.cut(source, options, "points", header.points - passed, rows - passed)?;
     }
     for point in &mut table.positions {
         *point = std::array::from_fn(|axis| point[axis] * header.scale[axis] + header.offset[axis]);

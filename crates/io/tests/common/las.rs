@@ -30,7 +30,8 @@ pub fn put(bytes: &mut [u8], at: usize, value: &[u8]) {
     bytes[at..at + value.len()].copy_from_slice(value);
 }
 
-fn vlr(user: &str, id: u16, data: &[u8]) -> Vec<u8> {
+/// A variable length record.
+pub fn vlr(user: &str, id: u16, data: &[u8]) -> Vec<u8> {
     let mut bytes = vec![0; 54];
     put(&mut bytes, 2, user.as_bytes());
     put(&mut bytes, 18, &id.to_le_bytes());

@@ -5,6 +5,7 @@ use lineament_io::{Error, ReadOptions, Scan, read_from};
 use std::io::{Cursor, Read};
 use std::path::PathBuf;
 
+pub mod copc;
 pub mod e57;
 pub mod las;
 mod seeds;

@@ -105,6 +105,7 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
     npy.extend(header.as_bytes());
     npy.resize(npy.len() + 48, 0);
     seeds.push(("seed.npy".into(), npy));
+    seeds.push(("octree.laz".into(), super::copc::file(60)));
     seeds.push(("two.e57".into(), super::e57::two_scans(40)));
     for (format, chunk, name) in
         [(3, None, "3.las"), (10, None, "10.las"), (3, Some(10), "3.laz"), (7, Some(10), "7.laz")]

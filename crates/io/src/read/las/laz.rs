@@ -1,6 +1,8 @@
 //! LAZ: chunks of compressed records. Sizes and counts are checked against the bytes that are there before the
 //! decoder sees them, since it takes memory for what it is told; its panics become errors.
 
+use super::chunks::{Chunk, at, chunks};
+use super::copc;
 use super::header::{Fields, Header, LasFrame};
 use crate::columns::Endian;
 use crate::error::{Error, Place};
@@ -8,11 +10,10 @@ use crate::quiet;
 use crate::read::rows::{Field, Table};
 use crate::read::{ReadOptions, limit};
 use crate::source::{Input, Source};
-use laz::laszip::ChunkTable;
 use laz::record::{LayeredPointRecordDecompressor, RecordDecompressor, SequentialPointRecordDecompressor};
 use laz::{LazItem, LazItemType, LazVlr};
 use rayon::prelude::*;
-use std::io::{Cursor, Read, Seek, SeekFrom};
+use std::io::Cursor;
 
 /// Chunks that are unpacked at a time, side by side.
 const BATCH: usize = 4;
@@ -21,22 +22,22 @@ const LARGE: u64 = 8 << 20;
 const STEP: usize = 4 << 20;
 
 /// How the records are packed.
-struct Packing {
+pub(super) struct Packing {
     items: Vec<LazItem>,
     layered: bool,
     /// Layers of a layered chunk.
     layers: usize,
-    record: usize,
+    /// Bytes of a record.
+    pub record: usize,
 }
 
-/// A chunk: where it is, how long, and its points.
-struct Chunk {
-    start: u64,
-    bytes: u64,
-    points: u64,
+/// Points that were there whole, and those that were passed over since they lie outside the bounds.
+pub(super) struct Taken {
+    pub rows: u64,
+    pub passed: u64,
 }
 
-/// Reads the points into the table; gives how many were there whole.
+/// Reads the points into the table.
 pub(super) fn read(
     source: &mut Source,
     header: &Header,
@@ -44,12 +45,17 @@ pub(super) fn read(
     options: &ReadOptions,
     fields: &[Field],
     table: &mut Table,
-) -> Result<u64, Error> {
+) -> Result<Taken, Error> {
     let (vlr, packing) = packing(source, header, frame)?;
-    limit::check(source, options, header.points, table.row_bytes())?;
     let mut input = source.seekable()?;
-    let chunks = chunks(source, &mut input, header, &vlr, &packing)?;
-    table.reserve(header.points as usize);
+    let chunks = match copc::chunks(source, &mut input, header, frame, options)? {
+        Some(overlapping) => overlapping,
+        None => chunks(source, &mut input, header, &vlr, &packing)?,
+    };
+    let wanted: u64 = chunks.iter().map(|chunk| chunk.points).sum();
+    limit::check(source, options, wanted, table.row_bytes())?;
+    table.reserve(wanted as usize);
+    let passed = header.points.saturating_sub(wanted);
     let mut done = 0;
     for batch in batches(&chunks, packing.record) {
         let mut packed = Vec::new();
@@ -64,14 +70,16 @@ pub(super) fn read(
             for (chunk, rows) in batch.iter().zip(unpacked) {
                 match rows {
                     Ok(rows) => table.append(&rows, packing.record, fields, Endian::Little),
-                    Err(_) if options.salvage => return Ok(table.positions.len() as u64),
+                    Err(_) if options.salvage => {
+                        return Ok(Taken { rows: table.positions.len() as u64, passed });
+                    }
                     Err(what) => return Err(broken(source, chunk, &what)),
                 }
                 done += chunk.points;
             }
         }
     }
-    Ok(done)
+    Ok(Taken { rows: done, passed })
 }
 
 fn broken(source: &Source, chunk: &Chunk, what: &str) -> Error {
@@ -139,92 +147,6 @@ fn item_size(kind: LazItemType) -> (usize, usize) {
         LazItemType::WavePacket14 => (29, 1),
         LazItemType::Byte14(count) => (count.into(), count.into()),
     }
-}
-
-/// Finds the chunks, and checks that they fit the file and hold the points that the header announces.
-fn chunks(
-    source: &Source,
-    input: &mut Input,
-    header: &Header,
-    vlr: &LazVlr,
-    packing: &Packing,
-) -> Result<Vec<Chunk>, Error> {
-    let length = input.seek(SeekFrom::End(0)).map_err(|e| source.io(e))?;
-    let pointwise = Fields(&vlr_compressor(vlr)).number::<u16>() == 1;
-    if pointwise || header.points == 0 {
-        let bytes = length.saturating_sub(header.points_at);
-        let all = Chunk { start: header.points_at, bytes, points: header.points };
-        return Ok(if header.points == 0 { Vec::new() } else { vec![all] });
-    }
-    let fail = |found: String| {
-        let place = Place::Byte(header.points_at);
-        Err(source.fault(place, found, "the file is cut or damaged; get it anew"))
-    };
-    let table_at = table_offset(source, input, header, length)?;
-    let first = header.points_at + 8;
-    if table_at < first || table_at + 8 > length {
-        return fail(format!("a chunk table at byte {table_at} of a file of {length}"));
-    }
-    let counts = at(source, input, table_at, 8)?;
-    let count = u64::from(Fields(&counts[4..]).number::<u32>());
-    // Every chunk begins with a record as it is, so that no more chunks than these can be there.
-    let most = (table_at - first) / packing.record as u64;
-    if count > most {
-        return fail(format!("{count} chunks in {} bytes, where at most {most} fit", table_at - first));
-    }
-    let bytes = at(source, input, table_at, (length - table_at).min(64 + 24 * count) as usize)?;
-    let variable = vlr.uses_variable_size_chunks();
-    let read = quiet::catch(|| ChunkTable::read(&mut Cursor::new(bytes), variable));
-    let Some(Ok(entries)) = read else { return fail("a chunk table that cannot be unpacked".into()) };
-    let (mut start, mut left, mut chunks) = (first, header.points, Vec::new());
-    for index in 0..count as usize {
-        let entry = entries[index];
-        let points = if variable { entry.point_count } else { u64::from(vlr.chunk_size()).min(left) };
-        let end = start.checked_add(entry.byte_count).filter(|&end| end <= table_at);
-        let Some(end) = end.filter(|_| points <= left && entry.byte_count >= packing.record as u64) else {
-            return fail(format!(
-                "chunk {index} of {points} points in {} bytes, which does not fit",
-                entry.byte_count
-            ));
-        };
-        chunks.push(Chunk { start, bytes: entry.byte_count, points });
-        (start, left) = (end, left - points);
-    }
-    chunks.retain(|chunk| chunk.points > 0);
-    if left > 0 {
-        return Err(source.ends_early("points", header.points, header.points - left));
-    }
-    Ok(chunks)
-}
-
-/// The compressor as it stands in the record.
-fn vlr_compressor(vlr: &LazVlr) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    // Writing into memory does not fail; an empty record reads as compressor 0.
-    let _ = vlr.write_to(&mut bytes);
-    bytes
-}
-
-/// Where the chunk table is: before the points, or at the end where the writer could not go back.
-fn table_offset(source: &Source, input: &mut Input, header: &Header, length: u64) -> Result<u64, Error> {
-    if length < header.points_at + 8 {
-        return Err(source.ends_early("points", header.points, 0));
-    }
-    let front = Fields(&at(source, input, header.points_at, 8)?).number::<u64>();
-    if front > header.points_at && front < 1 << 63 {
-        return Ok(front);
-    }
-    Ok(Fields(&at(source, input, length - 8, 8)?).number())
-}
-
-/// Bytes of the input at a place.
-fn at(source: &Source, input: &mut Input, place: u64, count: usize) -> Result<Vec<u8>, Error> {
-    let mut bytes = vec![0; count];
-    input
-        .seek(SeekFrom::Start(place))
-        .and_then(|_| input.read_exact(&mut bytes))
-        .map_err(|e| source.io(e))?;
-    Ok(bytes)
 }
 
 /// The packed bytes of a chunk, whose layers are checked against its length.
