@@ -11,13 +11,14 @@ use std::io::Cursor;
 /// Points that are taken of an input: enough for lines, few enough for many runs a second.
 const MOST: usize = 400;
 
-const NETWORKS: [NetworkFormat; 9] = [
+const NETWORKS: [NetworkFormat; 10] = [
     NetworkFormat::Json,
     NetworkFormat::Obj,
     NetworkFormat::Ply,
     NetworkFormat::Dxf,
     NetworkFormat::Svg,
     NetworkFormat::GeoJson,
+    NetworkFormat::GeoPackage,
     NetworkFormat::Glb,
     NetworkFormat::Vtp,
     NetworkFormat::Csv,
@@ -31,7 +32,9 @@ enum Keeps {
     Grid,
 }
 
-const POINTS: [(PointFormat, Format, Keeps); 6] = [
+const POINTS: [(PointFormat, Format, Keeps); 8] = [
+    (PointFormat::Npz, Format::Npz, Keeps::Bits),
+    (PointFormat::Parquet, Format::Parquet, Keeps::Bits),
     (PointFormat::Ply, Format::Ply, Keeps::Bits),
     (PointFormat::Pcd, Format::Pcd, Keeps::Bits),
     (PointFormat::Xyz, Format::Table, Keeps::Bits),

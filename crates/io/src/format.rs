@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::number::{shown, tokens};
-use crate::read::{expe, npy, off, ptx, stl};
+use crate::read::{expe, npy, off, parquet, ptx, stl};
 use std::fmt;
 use std::path::Path;
 
@@ -30,6 +30,10 @@ pub enum Format {
     Off,
     /// NumPy's array format.
     Npy,
+    /// NumPy's archives of arrays.
+    Npz,
+    /// Apache Parquet.
+    Parquet,
     /// Binary point sets of the Expe library.
     Expe,
     /// Binary glTF 2.0.
@@ -37,7 +41,7 @@ pub enum Format {
 }
 
 /// Format, name in messages, extensions.
-const FORMATS: [(Format, &str, &[&str]); 12] = [
+const FORMATS: [(Format, &str, &[&str]); 14] = [
     (Format::Ply, "PLY", &["ply"]),
     (
         Format::Table,
@@ -52,22 +56,23 @@ const FORMATS: [(Format, &str, &[&str]); 12] = [
     (Format::Stl, "STL", &["stl"]),
     (Format::Off, "OFF", &["off"]),
     (Format::Npy, "NPY", &["npy"]),
+    (Format::Npz, "NPZ", &["npz"]),
+    (Format::Parquet, "Parquet", &["parquet", "pq"]),
     (Format::Expe, "Expe point set", &[]),
     (Format::Glb, "GLB", &["glb"]),
 ];
 
 /// First bytes of formats that have them.
-const MAGIC: [(Format, &[u8]); 6] = [
+const MAGIC: [(Format, &[u8]); 8] = [
     (Format::Las, b"LASF"),
     (Format::E57, b"ASTM-E57"),
     (Format::Npy, npy::MAGIC),
+    (Format::Npz, b"PK\x03\x04"),
+    (Format::Parquet, parquet::MAGIC),
     (Format::Expe, expe::MAGIC),
     (Format::Pcd, b"# .PCD"),
     (Format::Glb, b"glTF"),
 ];
-
-/// What begins with these bytes is a known format that this version does not read.
-const FOREIGN: [(&[u8], &str); 2] = [(b"PAR1", "Parquet"), (b"PK\x03\x04", "a zip archive (NPZ or other)")];
 
 const OBJ_KEYWORDS: [&[u8]; 14] =
     [b"v", b"vn", b"vt", b"vp", b"f", b"l", b"p", b"o", b"g", b"s", b"mtllib", b"usemtl", b"cstype", b"deg"];
@@ -94,14 +99,6 @@ impl Format {
     pub(crate) fn detect(start: &[u8], length: Option<u64>, name: &str) -> Result<Format, Error> {
         if start.is_empty() {
             return Err(Error::Empty { name: name.into() });
-        }
-        if let Some((_, what)) = FOREIGN.iter().find(|(magic, _)| start.starts_with(magic)) {
-            let advice = "convert it to PLY or XYZ first".into();
-            return Err(Error::Unsupported {
-                name: name.into(),
-                what: format!("the content is {what}"),
-                advice,
-            });
         }
         let named = Path::new(name).extension().and_then(|e| e.to_str()).and_then(Format::parse);
         let found = by_magic(start).or_else(|| stl(start, length, named)).or_else(|| by_text(start, named));

@@ -21,6 +21,7 @@ mod quiet;
 mod read;
 mod source;
 mod write;
+mod zip;
 
 pub use error::{Error, Place};
 pub use format::Format;

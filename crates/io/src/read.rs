@@ -6,8 +6,10 @@ mod join;
 pub(crate) mod las;
 mod limit;
 pub(crate) mod npy;
+mod npz;
 mod obj;
 pub(crate) mod off;
+pub(crate) mod parquet;
 mod pcd;
 mod ply;
 pub(crate) mod ptx;
@@ -185,6 +187,8 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         Format::Stl => stl::read(&mut source, options)?,
         Format::Off => off::read(&mut source, options)?,
         Format::Npy => npy::read(&mut source, options)?,
+        Format::Npz => npz::read(&mut source, options)?,
+        Format::Parquet => parquet::read(&mut source, options)?,
         Format::Expe => expe::read(&mut source, options)?,
         Format::Glb => glb::read(&mut source, options)?,
     };

@@ -1,5 +1,9 @@
 //! An input as one forward stream of bytes: buffered, counted, hashed on the way, with its length if known.
 
+mod window;
+
+pub(crate) use window::{Shared, Window};
+
 use crate::error::{Error, Place, printable};
 use sha2::{Digest, Sha256};
 use std::fs::File;

@@ -5,10 +5,13 @@ mod csv;
 mod dxf;
 mod geojson;
 mod glb;
+mod gpkg;
 mod json;
 mod network_obj;
 mod network_ply;
 mod npy;
+mod npz;
+mod parquet;
 mod point_rows;
 mod points_las;
 mod points_pcd;
@@ -16,6 +19,7 @@ mod points_ply;
 mod points_text;
 mod polyline;
 mod section;
+mod sqlite;
 mod svg;
 mod vtp;
 
@@ -52,6 +56,8 @@ pub struct NetworkContext {
     pub noise: Option<f64>,
     /// The coordinate reference system, as `Scan::crs` gives it.
     pub crs: Option<String>,
+    /// Its definition in well-known text, if the input holds one.
+    pub crs_wkt: Option<String>,
     /// The direction in which drawings look; `None` for the best one.
     pub view: Option<[f64; 3]>,
     /// Millimetres of a drawing for one unit of the input; `None` fits the drawing to 200 mm.
@@ -96,6 +102,8 @@ pub enum NetworkFormat {
     Svg,
     /// Lines and points in the frame of the input.
     GeoJson,
+    /// The same as a database of two layers.
+    GeoPackage,
     /// Binary glTF lines.
     Glb,
     /// VTK polygonal data.
@@ -110,6 +118,10 @@ pub enum NetworkFormat {
 pub enum PointFormat {
     /// The classes as an array of bytes.
     Npy,
+    /// Positions, class, score and the attributes of the input, an array each.
+    Npz,
+    /// The same as columns of Apache Parquet.
+    Parquet,
     /// Positions, class, score and the attributes of the input, binary.
     Ply,
     /// The same as PCD, binary.
@@ -124,20 +136,23 @@ pub enum PointFormat {
     Laz,
 }
 
-const NETWORK_FORMATS: [(NetworkFormat, &str); 9] = [
+const NETWORK_FORMATS: [(NetworkFormat, &str); 10] = [
     (NetworkFormat::Json, "json"),
     (NetworkFormat::Obj, "obj"),
     (NetworkFormat::Ply, "ply"),
     (NetworkFormat::Dxf, "dxf"),
     (NetworkFormat::Svg, "svg"),
     (NetworkFormat::GeoJson, "geojson"),
+    (NetworkFormat::GeoPackage, "gpkg"),
     (NetworkFormat::Glb, "glb"),
     (NetworkFormat::Vtp, "vtp"),
     (NetworkFormat::Csv, "csv"),
 ];
 
-const POINT_FORMATS: [(PointFormat, &str); 7] = [
+const POINT_FORMATS: [(PointFormat, &str); 9] = [
     (PointFormat::Npy, "npy"),
+    (PointFormat::Npz, "npz"),
+    (PointFormat::Parquet, "parquet"),
     (PointFormat::Ply, "ply"),
     (PointFormat::Pcd, "pcd"),
     (PointFormat::Xyz, "xyz"),
@@ -228,6 +243,7 @@ pub fn write_network_to(
         NetworkFormat::Dxf => dxf::write(out, network),
         NetworkFormat::Svg => svg::write(out, network, context),
         NetworkFormat::GeoJson => geojson::write(out, network, context),
+        NetworkFormat::GeoPackage => gpkg::write(out, network, context),
         NetworkFormat::Glb => glb::write(out, network),
         NetworkFormat::Vtp => vtp::write(out, network),
         NetworkFormat::Csv => csv::write(out, network),
@@ -256,6 +272,8 @@ pub fn write_points(path: &Path, inputs: &[PathBuf], table: &PointTable) -> Resu
 pub fn write_points_to(out: &mut dyn Write, format: PointFormat, table: &PointTable) -> io::Result<()> {
     match format {
         PointFormat::Npy => npy::write_classes(out, table.classes),
+        PointFormat::Npz => npz::write(out, table),
+        PointFormat::Parquet => parquet::write(out, table),
         PointFormat::Ply => points_ply::write(out, table),
         PointFormat::Pcd => points_pcd::write(out, table),
         PointFormat::Xyz => points_text::write(out, table, ' '),

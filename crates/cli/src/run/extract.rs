@@ -5,7 +5,9 @@ use std::time::Instant;
 
 use lineament::apply::render::View;
 use lineament::{Extraction, Params};
-use lineament_io::{NetworkContext, NetworkFormat, Parameter, ReadOptions, network_format, write_network};
+use lineament_io::{
+    LasFrame, NetworkContext, NetworkFormat, Parameter, ReadOptions, network_format, write_network,
+};
 
 use crate::args::Extract;
 use crate::batch::Done;
@@ -74,6 +76,7 @@ fn context(input: &Input, params: &Params, found: &Extraction) -> NetworkContext
         spacing: found.report.spacing,
         noise: Some(found.report.noise),
         crs: input.crs.clone(),
+        crs_wkt: input.las.as_ref().and_then(LasFrame::wkt),
         ..NetworkContext::default()
     }
 }

@@ -6,6 +6,7 @@ use super::{Decoded, ReadOptions};
 use crate::columns::{Endian, Scalar, append};
 use crate::error::Error;
 use crate::source::Source;
+use lineament::Column;
 
 /// The first bytes of the format.
 pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
@@ -14,19 +15,35 @@ pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
 const MAX_HEADER: usize = 1 << 16;
 
 /// The parsed header.
-struct Header {
-    names: Vec<String>,
-    fields: Vec<Field>,
-    stride: usize,
+pub(super) struct Header {
+    /// Names of the fields; of a plain array, none.
+    pub names: Vec<String>,
+    pub fields: Vec<Field>,
+    pub stride: usize,
     endian: Endian,
-    rows: u64,
+    pub rows: u64,
     column_major: bool,
+}
+
+impl Header {
+    /// Gives the columns of a plain array their usual names.
+    fn named(mut self) -> Result<Self, String> {
+        if self.names.is_empty() {
+            if self.fields.len() < 3 {
+                return Err(format!("an array of shape [{}, {}]", self.rows, self.fields.len()));
+            }
+            let usual =
+                |c: usize| ["x", "y", "z"].get(c).map_or(format!("column_{}", c + 1), |n| (*n).into());
+            self.names = (0..self.fields.len()).map(usual).collect();
+        }
+        Ok(self)
+    }
 }
 
 /// Reads an NPY input.
 pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
     let text = text(source)?;
-    let header = parse(&text).map_err(|found| {
+    let header = parse(&text).and_then(Header::named).map_err(|found| {
         source.malformed(found, "expected an array of (N, 3) or more numbers, or of fields x, y, z")
     })?;
     let find = |name: &str| header.names.iter().position(|n| n.eq_ignore_ascii_case(name));
@@ -56,7 +73,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
 }
 
 /// The header's text; the source then stands at the first number.
-fn text(source: &mut Source) -> Result<String, Error> {
+pub(super) fn text(source: &mut Source) -> Result<String, Error> {
     let start: Vec<u8> = source.peek(12)?.iter().take(12).copied().collect();
     let version = start.get(6).copied().unwrap_or(0);
     let (length, before) = match (version, start.as_slice()) {
@@ -84,7 +101,8 @@ fn value<'a>(text: &'a str, key: &str) -> Option<&'a str> {
     text[at + key.len() + 2..].trim_start().strip_prefix(':').map(str::trim_start)
 }
 
-fn parse(text: &str) -> Result<Header, String> {
+/// The header of an array of one or two dimensions.
+pub(super) fn parse(text: &str) -> Result<Header, String> {
     let missing = |key: &str| format!("a header without `{key}`: {}", crate::number::shown(text.as_bytes()));
     let descr = value(text, "descr").ok_or_else(|| missing("descr"))?;
     let order = value(text, "fortran_order").ok_or_else(|| missing("fortran_order"))?;
@@ -96,15 +114,13 @@ fn parse(text: &str) -> Result<Header, String> {
         return Ok(Header { names, fields, stride, endian, rows, column_major: false });
     }
     let (kind, endian) = scalar(quoted(descr).ok_or_else(|| format!("type {descr}"))?)?;
-    let &[rows, columns] = shape.as_slice() else { return Err(format!("an array of shape {shape:?}")) };
-    if !(3..=4096).contains(&columns) {
-        return Err(format!("an array of shape {shape:?}"));
-    }
-    let names = (0..columns)
-        .map(|c| ["x", "y", "z"].get(c as usize).map_or(format!("column_{}", c + 1), |n| (*n).into()))
-        .collect();
-    let fields = (0..columns as usize).map(|c| Field { offset: c * kind.size(), kind }).collect();
-    Ok(Header { names, fields, stride: columns as usize * kind.size(), endian, rows, column_major })
+    let (rows, columns) = match shape.as_slice() {
+        &[rows] => (rows, 1),
+        &[rows, columns @ 1..=4096] => (rows, columns as usize),
+        _ => return Err(format!("an array of shape {shape:?}")),
+    };
+    let fields = (0..columns).map(|c| Field { offset: c * kind.size(), kind }).collect();
+    Ok(Header { names: Vec::new(), fields, stride: columns * kind.size(), endian, rows, column_major })
 }
 
 /// A tuple of whole numbers.
@@ -162,6 +178,34 @@ fn structured(text: &str) -> Result<Structure, String> {
         stride += kind.size();
     }
     Ok((names, fields, stride, order.unwrap_or(Endian::Little)))
+}
+
+/// All fields of an array as columns; `None` if it ends early.
+pub(super) fn arrays(source: &mut Source, header: &Header) -> Result<Option<Vec<Column>>, Error> {
+    let mut columns: Vec<Column> =
+        header.fields.iter().map(|f| f.kind.column(header.rows as usize)).collect();
+    let (stride, passes) = if header.column_major { (None, columns.len()) } else { (Some(header.stride), 1) };
+    for pass in 0..passes {
+        let stride = stride.unwrap_or(header.fields[pass].kind.size());
+        let mut row = 0;
+        while row < header.rows {
+            let here = source.peek(stride.max(1 << 16))?;
+            let some = ((here.len() / stride) as u64).min(header.rows - row) as usize;
+            if some == 0 {
+                return Ok(None);
+            }
+            let bytes = &here[..some * stride];
+            if header.column_major {
+                append(&mut columns[pass], bytes, stride, 0, header.endian);
+            } else {
+                let filled = columns.iter_mut().zip(&header.fields);
+                filled.for_each(|(column, f)| append(column, bytes, stride, f.offset, header.endian));
+            }
+            source.consume(some * stride);
+            row += some as u64;
+        }
+    }
+    Ok(Some(columns))
 }
 
 /// Reads columns one after the other. Gives how many rows are whole: all or none.

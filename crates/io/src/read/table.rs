@@ -9,6 +9,7 @@ use crate::columns::narrowed;
 use crate::error::Error;
 use crate::number::{self, integer, shown};
 use crate::source::Source;
+pub(super) use layout::find_axis;
 use layout::{Layout, Role};
 use lineament::Attribute;
 use split::Separator;

@@ -4,13 +4,19 @@ use std::io::{self, Write};
 
 /// Writes `(N)` u8.
 pub(super) fn write_classes(out: &mut dyn Write, classes: &[u8]) -> io::Result<()> {
-    let mut header = format!("{{'descr': '|u1', 'fortran_order': False, 'shape': ({},), }}", classes.len());
-    // Magic, version and length take 10 bytes; the data begin at a multiple of 64, after a line feed.
-    let padding = (64 - (10 + header.len() + 1) % 64) % 64;
-    header.push_str(&" ".repeat(padding));
-    header.push('\n');
-    out.write_all(b"\x93NUMPY\x01\x00")?;
-    out.write_all(&(header.len() as u16).to_le_bytes())?;
-    out.write_all(header.as_bytes())?;
+    out.write_all(&header("|u1", &format!("{},", classes.len())))?;
     out.write_all(classes)
+}
+
+/// What comes before the numbers of an array of this type and shape.
+pub(super) fn header(descr: &str, shape: &str) -> Vec<u8> {
+    let mut text = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': ({shape}), }}");
+    // Magic, version and length take 10 bytes; the data begin at a multiple of 64, after a line feed.
+    let padding = (64 - (10 + text.len() + 1) % 64) % 64;
+    text.push_str(&" ".repeat(padding));
+    text.push('\n');
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    bytes.extend((text.len() as u16).to_le_bytes());
+    bytes.extend(text.as_bytes());
+    bytes
 }

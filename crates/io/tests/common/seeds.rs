@@ -51,6 +51,8 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
     let table = PointTable { cloud: &cloud, classes: &[1; 60], scores: &[0.5; 60], las: None };
     let formats = [
         (PointFormat::Ply, "ply"),
+        (PointFormat::Npz, "npz"),
+        (PointFormat::Parquet, "parquet"),
         (PointFormat::Pcd, "pcd"),
         (PointFormat::Xyz, "xyz"),
         (PointFormat::Csv, "csv"),

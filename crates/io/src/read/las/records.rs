@@ -74,8 +74,13 @@ impl LasFrame {
 
     /// The coordinate reference system: its name in well-known text, or `EPSG:` and the code of its geo keys.
     pub fn crs(&self) -> Option<String> {
-        let wkt = self.find("LASF_Projection", 2112).map(text).filter(|wkt| !wkt.is_empty());
+        let wkt = self.wkt();
         wkt.map(|wkt| wkt.split('"').nth(1).map(String::from).unwrap_or(wkt)).or_else(|| self.epsg())
+    }
+
+    /// The definition of the coordinate reference system in well-known text.
+    pub fn wkt(&self) -> Option<String> {
+        self.find("LASF_Projection", 2112).map(text).filter(|wkt| !wkt.is_empty())
     }
 
     /// The code of the projected system (key 3072), or else of the geographic one (key 2048).

@@ -261,7 +261,7 @@ fn name(field: &[u8]) -> String {
 }
 
 /// The column that is x, y or z by its name.
-fn find_axis(names: &[String], axis: usize) -> Option<usize> {
+pub(in crate::read) fn find_axis(names: &[String], axis: usize) -> Option<usize> {
     const KNOWN: [[&str; 6]; 3] = [
         ["x", "points:0", "points_0", "easting", "east", "position_x"],
         ["y", "points:1", "points_1", "northing", "north", "position_y"],

@@ -1,0 +1,69 @@
+//! Writing archives of stored entries, with sizes of 64 bits throughout.
+
+use super::{CENTRAL, END, END_64, LOCAL, LOCATOR};
+use std::io::{self, Write};
+
+/// Version of the format that ZIP64 needs, and the date 1980-01-01: the time of writing would make bytes differ.
+const VERSION: u16 = 45;
+const DATE: u16 = 0x21;
+
+/// An archive in the making.
+pub(crate) struct ZipWriter<'a> {
+    out: &'a mut dyn Write,
+    at: u64,
+    directory: Vec<u8>,
+    entries: u64,
+}
+
+/// Little endian numbers one after the other.
+macro_rules! numbers {
+    ($($value:expr),*) => {{
+        let mut bytes: Vec<u8> = Vec::new();
+        $(bytes.extend_from_slice(&$value.to_le_bytes());)*
+        bytes
+    }};
+}
+
+impl<'a> ZipWriter<'a> {
+    pub fn new(out: &'a mut dyn Write) -> Self {
+        Self { out, at: 0, directory: Vec::new(), entries: 0 }
+    }
+
+    /// Adds a file, as it is.
+    pub fn add(&mut self, name: &str, content: &[u8]) -> io::Result<()> {
+        let length = u16::try_from(name.len()).map_err(io::Error::other)?;
+        let (sum, size, narrow) = (crc32fast::hash(content), content.len() as u64, u32::MAX);
+        // Bit 11: the name is UTF-8. Method 0: stored.
+        let common = numbers![1u16 << 11, 0u16, 0u16, DATE, sum, narrow, narrow, length];
+        let head = [LOCAL, &numbers![VERSION], &common, &numbers![20u16]].concat();
+        let sizes = numbers![1u16, 16u16, size, size];
+        self.put(&[&head, name.as_bytes(), &sizes, content])?;
+        let start = self.at - (head.len() + name.len() + sizes.len()) as u64 - size;
+        self.directory.extend([CENTRAL, &numbers![VERSION, VERSION], &common].concat());
+        // Extra fields of 28 bytes, no comment, disk 0, no attributes.
+        self.directory.extend(numbers![28u16, 0u16, 0u16, 0u16, 0u32, narrow]);
+        self.directory.extend(name.as_bytes());
+        self.directory.extend(numbers![1u16, 24u16, size, size, start]);
+        self.entries += 1;
+        Ok(())
+    }
+
+    /// Writes the directory.
+    pub fn finish(mut self) -> io::Result<()> {
+        let (start, size, count) = (self.at, self.directory.len() as u64, self.entries);
+        let directory = std::mem::take(&mut self.directory);
+        self.put(&[&directory])?;
+        let end = self.at;
+        self.put(&[END_64, &numbers![44u64, VERSION, VERSION, 0u32, 0u32, count, count, size, start]])?;
+        self.put(&[LOCATOR, &numbers![0u32, end, 1u32]])?;
+        self.put(&[END, &numbers![0u16, 0u16, u16::MAX, u16::MAX, u32::MAX, u32::MAX, 0u16]])
+    }
+
+    fn put(&mut self, parts: &[&[u8]]) -> io::Result<()> {
+        for part in parts {
+            self.out.write_all(part)?;
+            self.at += part.len() as u64;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,31 @@
+//! What fuzzing found: the smallest input of each finding.
+
+mod common;
+use common::{from_bytes, from_pipe};
+use lineament_io::{Format, ReadOptions, read_from};
+use std::io::Cursor;
+
+fn error(bytes: &[u8], name: &str) -> String {
+    from_bytes(bytes, name, &ReadOptions::default()).unwrap_err().to_string()
+}
+
+#[test]
+fn a_message_that_lists_fields_stays_short_and_printable() {
+    let pcd = b"VERSION 0.7\nFIELDS x y s\xff\x1b[2J\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 900\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n";
+    let table = b"a,\x1b[31m\xff\xff,c\n1.5,2.5,3.5\n";
+    for (bytes, name) in [(pcd.as_slice(), "long.pcd"), (table, "escape.csv")] {
+        let message = error(bytes, name);
+        assert!(message.len() < 1000, "{message}");
+        assert!(!message.contains('\x1b') && !message.contains('\u{fffd}'), "{message:?}");
+    }
+}
+
+#[test]
+fn a_binary_stl_without_magic_is_recognised_in_a_pipe_too() {
+    let mut stl = vec![0u8; 80];
+    stl.extend(2u32.to_le_bytes());
+    stl.resize(184, 0x3f);
+    let scan = read_from(Box::new(Cursor::new(stl.clone())), "pipe", &ReadOptions::default()).unwrap();
+    assert_eq!((scan.format, scan.cloud.len()), (Format::Stl, 6));
+    assert_eq!(from_pipe(&stl, "pipe", &ReadOptions::default()).unwrap().cloud, scan.cloud);
+}
