@@ -1,6 +1,7 @@
 //! Tasks of the project: `cargo xtask` lists them.
 
 mod man;
+mod rivals;
 mod test;
 
 use std::path::PathBuf;
@@ -10,12 +11,14 @@ const USAGE: &str = "\
 Usage: cargo xtask TASK
 
   test [ARGS...]  run all tests; ARGS go to `cargo test`
+  rivals          compare with other programs, which are installed in out/venv with pip
   man             write the manual pages to out/man";
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let result = match args.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
         ["test", rest @ ..] => test::run(rest),
+        ["rivals"] => rivals::run(),
         ["man"] => man::run(),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");

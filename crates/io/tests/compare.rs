@@ -1,5 +1,6 @@
-//! Comparisons with other people's programs, where they are installed: set `LINEAMENT_PYTHON` to a Python that has laspy,
-//! lazrs, pye57, plyfile, trimesh, ezdxf, pyvista and fiona (any of them may be missing).
+//! Comparisons with other people's programs: `cargo xtask rivals` installs them and runs these tests. By themselves they
+//! need `LINEAMENT_PYTHON`, a Python with laspy, lazrs, pye57, plyfile, trimesh, ezdxf, pyvista, pyarrow and fiona, any of
+//! which may be missing.
 
 mod common;
 use common::{example, shared};
@@ -41,8 +42,26 @@ fn points_are_those_that_other_readers_read() {
 fn written_networks_open_in_other_programs() {
     let Some(writer) = example("network") else { return };
     let folder = tempfile::tempdir().unwrap();
-    let outputs =
-        ["dxf", "ply", "glb", "vtp", "geojson", "obj", "svg"].map(|e| folder.path().join(format!("a.{e}")));
+    let outputs = ["dxf", "ply", "glb", "vtp", "geojson", "gpkg", "obj", "svg"]
+        .map(|e| folder.path().join(format!("a.{e}")));
     assert!(Command::new(writer).args(&outputs).status().unwrap().success());
+    script("opens.py", &[folder.path()]);
+}
+
+#[test]
+fn written_points_open_in_other_programs() {
+    use lineament::{Attribute, Cloud, Column};
+    use lineament_io::{PointTable, write_points};
+    let folder = tempfile::tempdir().unwrap();
+    let at = |i: u32| [665_187.25 + f64::from(i) / 64.0, 5_648_349.5 - f64::from(i), f64::from(i % 7) / 8.0];
+    let mut cloud = Cloud::new((0..500).map(at).collect());
+    cloud.attributes.push(Attribute { name: "intensity".into(), values: Column::U16((0..500).collect()) });
+    let classes: Vec<u8> = (0..500u32).map(|i| (i % 4) as u8).collect();
+    let table = PointTable { cloud: &cloud, classes: &classes, scores: &[0.5; 500], las: None };
+    for extension in ["las", "laz", "ply", "npz", "parquet", "csv", "npy"] {
+        write_points(&folder.path().join(format!("points.{extension}")), &[], &table).unwrap();
+    }
+    let bytes: Vec<u8> = cloud.positions.iter().flatten().flat_map(|c| c.to_le_bytes()).collect();
+    std::fs::write(folder.path().join("points.f64"), bytes).unwrap();
     script("opens.py", &[folder.path()]);
 }

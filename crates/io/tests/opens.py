@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""Opens written networks with the programs that users open them with: opens.py FOLDER, which holds a.dxf, a.ply, a.glb,
-a.vtp, a.geojson, a.obj and a.svg, all of one network. Prints a row a file; ends with 1 if one is not as it should be."""
+"""Opens written files with the programs that users open them with: opens.py FOLDER, which holds a.dxf, a.ply, a.glb, a.vtp,
+a.geojson, a.gpkg, a.obj and a.svg of one network, or points.las, .laz, .ply, .npz, .parquet, .pcd, .csv and .npy of one cloud
+with points.f64, its coordinates. Prints a row a file; ends with 1 if one is not as it should be."""
 import importlib, json, os, sys
+import numpy as np
 import xml.etree.ElementTree as tree
 
 
@@ -48,21 +50,82 @@ def svg(_, path):
     return len(root.findall(".//{*}path")) == 2, f"{root.get('width')} by {root.get('height')}"
 
 
-CHECKS = [("dxf", "ezdxf", dxf), ("ply", "plyfile", ply), ("glb", "trimesh", glb), ("vtp", "pyvista", vtp),
-          ("geojson", "fiona", geojson), ("obj", "trimesh", obj), ("svg", "json", svg)]
+def gpkg(fiona, path):
+    layers = {name: list(fiona.open(path, layer=name)) for name in fiona.listlayers(path)}
+    first = layers["lines"][0]
+    loop = layers["lines"][1]["geometry"]["coordinates"]
+    good = (len(layers["lines"]), len(layers["nodes"]), len(loop)) == (2, 2, 65) and loop[0] == loop[-1]
+    good &= first["geometry"]["coordinates"][0] == (665187.25, 5648349.875, 241.5) and first["properties"]["kind"] == "crease"
+    return good, f"{[(name, len(rows)) for name, rows in layers.items()]}"
+
+
+def database(sqlite3, path):
+    db = sqlite3.connect(path)
+    faults = db.execute("PRAGMA integrity_check").fetchall() + db.execute("PRAGMA foreign_key_check").fetchall()
+    found = db.execute("SELECT table_name FROM gpkg_contents WHERE identifier = 'nodes'").fetchall()
+    return faults == [("ok",)] and found == [("nodes",)], f"{faults}"
+
+
+def same(rows, path):
+    """Whether coordinates are those that were written, and how far they are off; LAS has a grid."""
+    written = np.fromfile(os.path.join(os.path.dirname(path), "points.f64"), "<f8").reshape(-1, 3)
+    rows = np.asarray(rows, float)
+    grid = 1e-6 if path.endswith(("las", "laz")) else 0
+    return rows.shape == written.shape and np.abs(rows - written).max() <= grid, f"{len(rows)} points"
+
+
+def las(laspy, path):
+    file = laspy.read(path)
+    good, text = same(file.xyz, path)
+    return good and set(np.unique(file["class"])) == {0, 1, 2, 3} and file["intensity"][5] == 5, text
+
+
+def points_ply(plyfile, path):
+    vertex = plyfile.PlyData.read(path)["vertex"]
+    return same(np.stack([vertex[a] for a in "xyz"], 1), path)
+
+
+def npz(numpy, path):
+    file = numpy.load(path)
+    good, text = same(file["xyz"], path)
+    return good and file["class"].dtype == "u1" and file["intensity"][5] == 5, f"{text}, {file.files}"
+
+
+def parquet(pyarrow, path):
+    table = pyarrow.read_table(path)
+    good, text = same(np.stack([table[a].to_numpy() for a in "xyz"], 1), path)
+    return good and str(table.schema.field("class").type) == "uint8", f"{text}, {table.column_names}"
+
+
+def csv(numpy, path):
+    return same(numpy.genfromtxt(path, delimiter=",", names=True)[["x", "y", "z"]].tolist(), path)
+
+
+def classes(numpy, path):
+    return numpy.load(path).max() == 3, "classes"
+
+
+CHECKS = [("a.dxf", "ezdxf", dxf), ("a.ply", "plyfile", ply), ("a.glb", "trimesh", glb), ("a.vtp", "pyvista", vtp),
+          ("a.geojson", "fiona", geojson), ("a.gpkg", "fiona", gpkg), ("a.gpkg", "sqlite3", database),
+          ("a.obj", "trimesh", obj), ("a.svg", "json", svg), ("points.las", "laspy", las), ("points.laz", "laspy", las),
+          ("points.ply", "plyfile", points_ply), ("points.npz", "numpy", npz),
+          ("points.parquet", "pyarrow.parquet", parquet), ("points.csv", "numpy", csv), ("points.npy", "numpy", classes)]
 
 
 def main():
     good = True
-    for extension, module, check in CHECKS:
+    for name, module, check in CHECKS:
+        path = os.path.join(sys.argv[1], name)
+        if not os.path.exists(path):
+            continue
         try:
             module = importlib.import_module(module)
         except ImportError:
-            print(f"skip a.{extension}: {module} is not installed")
+            print(f"skip {name}: {module} is not installed")
             continue
-        ok, text = check(module, os.path.join(sys.argv[1], "a." + extension))
-        print(f"{'ok  ' if ok else 'BAD '} a.{extension} in {module.__name__}: {text}")
-        good &= ok
+        ok, text = check(module, path)
+        print(f"{'ok  ' if ok else 'BAD '} {name} in {module.__name__}: {text}")
+        good &= bool(ok)
     sys.exit(not good)
 
 
