@@ -28,9 +28,9 @@ pub fn run() -> Result<(), String> {
 
 fn compare(python: &Path) -> Result<(), String> {
     let mut tests = cargo();
-    // Not `--test compare` alone: the tests run example programs, which only a whole build makes.
-    tests.args(["test", "--locked", "--package", "lineament-io", "--examples", "--test", "compare"]);
-    tests.args(["--", "--nocapture", "--test-threads=1"]).env("LINEAMENT_PYTHON", python);
+    // By name and not by `--test`: the tests run example programs, which cargo builds only without such a choice.
+    tests.args(["test", "--locked", "--package", "lineament-io", "in_other_programs", "--"]);
+    tests.args(["--nocapture", "--test-threads=1"]).env("LINEAMENT_PYTHON", python);
     succeed(&mut tests)
 }
 

@@ -24,7 +24,7 @@ fn script(name: &str, arguments: &[&Path]) {
 }
 
 #[test]
-fn points_are_those_that_other_readers_read() {
+fn points_are_the_same_in_other_programs() {
     let Some(reader) = example("positions") else { return };
     let mut files = Vec::new();
     for folder in ["formats", "scans", "models"] {

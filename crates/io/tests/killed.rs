@@ -9,7 +9,7 @@ use std::time::Instant;
 #[test]
 fn after_a_kill_the_old_file_stands_or_the_whole_new_one() {
     let Some(writer) = example("network") else { return };
-    for extension in ["json", "obj", "ply"] {
+    for extension in ["json", "gpkg", "ply"] {
         let folder = tempfile::tempdir().unwrap();
         let target = folder.path().join(format!("lines.{extension}"));
         let start = Instant::now();
@@ -33,5 +33,28 @@ fn after_a_kill_the_old_file_stands_or_the_whole_new_one() {
             assert!(there == b"old" || there == whole, "{} bytes of {}", there.len(), whole.len());
         }
         println!("{extension}: killed {killed} times of 100");
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn on_a_full_disk_the_old_file_stands() {
+    let Some(writer) = example("network") else { return };
+    // A disk of 256 KiB that no other process sees, and that is gone when the shell ends.
+    let script = "mount -t tmpfs -o size=256k none \"$1\" || exit 77
+        printf old > \"$1/$2\"; \"$0\" --points 20000 \"$1/$2\" 2>&1; echo \"; code $?; $(cat \"$1/$2\"); $(ls -A \"$1\")\"";
+    for name in ["lines.json", "lines.obj", "lines.gpkg"] {
+        let folder = tempfile::tempdir().unwrap();
+        let run = Command::new("unshare")
+            .args(["--user", "--map-root-user", "--mount", "sh", "-c", script])
+            .args([writer.as_path(), folder.path()])
+            .arg(name)
+            .output();
+        let Some(run) = run.ok().filter(|run| run.status.success()) else {
+            return println!("skipped: no small disk can be mounted here");
+        };
+        let said = String::from_utf8(run.stdout).unwrap();
+        assert!(said.contains("No space left") && said.contains(name), "{said}");
+        assert!(said.trim_end().ends_with(&format!("; code 1; old; {name}")), "{said}");
     }
 }

@@ -25,6 +25,7 @@ Formats by extension:
   .dxf      3D polylines and points, a layer a kind
   .svg      a drawing in millimetres, seen from --view
   .geojson  line strings and points, with the reference system of the input
+  .gpkg     GeoPackage, layers of lines and nodes with their properties
   .glb      binary glTF lines
   .vtp      VTK polygonal data
   .csv      a row a point
@@ -39,7 +40,8 @@ Examples:
 pub const CLASSIFY_HELP: &str = "\
 Formats by extension:
   .npy                                the classes alone, a byte a point
-  .ply .pcd .xyz .csv .las .laz       the points and their attributes, with class and score
+  .ply .pcd .xyz .csv .las .laz .npz .parquet
+                                      the points and their attributes, with class and score
 
 Detectors, each with an automatic threshold; a point above it is 1, all others 0:
   projection            projected distance at each point's best scale (Tran 2013)
