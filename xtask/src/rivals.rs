@@ -27,8 +27,10 @@ pub fn run() -> Result<(), String> {
 }
 
 fn compare(python: &Path) -> Result<(), String> {
+    // The tests run example programs, which cargo builds only where no test is named.
+    let mut build = cargo();
+    succeed(build.args(["test", "--locked", "--package", "lineament-io", "--no-run"]))?;
     let mut tests = cargo();
-    // By name and not by `--test`: the tests run example programs, which cargo builds only without such a choice.
     tests.args(["test", "--locked", "--package", "lineament-io", "in_other_programs", "--"]);
     tests.args(["--nocapture", "--test-threads=1"]).env("LINEAMENT_PYTHON", python);
     succeed(&mut tests)
