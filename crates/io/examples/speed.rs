@@ -1,5 +1,5 @@
-//! Seconds to read a cloud, beside the seconds to read its bytes: `speed FILE [ROUNDS]`. Both are taken in turns, and
-//! the least of each is what counts.
+//! Seconds to read a cloud, beside the seconds to read its bytes: `speed FILE [ROUNDS [--bare]]`, bare being
+//! positions alone. Both are taken in turns, and the least of each is what counts.
 
 use lineament_io::{ReadOptions, read};
 use std::path::Path;
@@ -9,7 +9,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let file = Path::new(arguments.first().ok_or("expected FILE [ROUNDS]")?);
     let rounds: usize = arguments.get(1).map_or(Ok(5), |rounds| rounds.parse())?;
-    let options = ReadOptions { memory: Some(u64::MAX), ..ReadOptions::default() };
+    let attributes = arguments.iter().all(|a| a != "--bare");
+    let options = ReadOptions { memory: Some(u64::MAX), attributes, ..ReadOptions::default() };
     let (mut of_bytes, mut of_points, mut count) = (f64::INFINITY, f64::INFINITY, 0);
     for _ in 0..rounds.max(1) {
         let start = Instant::now();

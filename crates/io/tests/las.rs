@@ -30,6 +30,9 @@ fn every_point_format_reads_packed_and_unpacked() {
             let packed =
                 from_bytes(&file(format, 250, Some(chunk)), "a.laz", &ReadOptions::default()).unwrap();
             assert_eq!(packed.cloud, plain.cloud, "format {format}, chunk {chunk}");
+            let bare = ReadOptions { attributes: false, ..ReadOptions::default() };
+            let bare = from_bytes(&file(format, 250, Some(chunk)), "a.laz", &bare).unwrap();
+            assert_eq!(bare.cloud.positions, plain.cloud.positions, "format {format}, chunk {chunk}");
         }
     }
 }

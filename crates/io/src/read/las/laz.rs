@@ -11,14 +11,14 @@ use crate::read::rows::{Field, Table};
 use crate::read::{ReadOptions, limit};
 use crate::source::{Input, Source};
 use laz::record::{LayeredPointRecordDecompressor, RecordDecompressor, SequentialPointRecordDecompressor};
-use laz::{LazItem, LazItemType, LazVlr};
+use laz::{DecompressionSelection, LazItem, LazItemType, LazVlr};
 use rayon::prelude::*;
 use std::io::Cursor;
 
-/// Chunks that are unpacked at a time, side by side.
+/// Chunks that are unpacked at a time, side by side; as many wait for their place in the table meanwhile.
 const BATCH: usize = 4;
 /// Unpacked bytes of a chunk beyond which it goes alone, and how many of them are held at a time then.
-const LARGE: u64 = 8 << 20;
+const LARGE: u64 = 4 << 20;
 const STEP: usize = 4 << 20;
 
 /// How the records are packed.
@@ -29,6 +29,8 @@ pub(super) struct Packing {
     layers: usize,
     /// Bytes of a record.
     pub record: usize,
+    /// The layers to unpack: without attributes only coordinates.
+    selection: DecompressionSelection,
 }
 
 /// Points that were there whole, and those that were passed over since they lie outside the bounds.
@@ -46,7 +48,10 @@ pub(super) fn read(
     fields: &[Field],
     table: &mut Table,
 ) -> Result<Taken, Error> {
-    let (vlr, packing) = packing(source, header, frame)?;
+    let (vlr, mut packing) = packing(source, header, frame)?;
+    if !options.attributes {
+        packing.selection = DecompressionSelection::base().decompress_z();
+    }
     let mut input = source.seekable()?;
     let chunks = match copc::chunks(source, &mut input, header, frame, options)? {
         Some(overlapping) => overlapping,
@@ -56,30 +61,53 @@ pub(super) fn read(
     limit::check(source, options, wanted, table.row_bytes())?;
     table.reserve(wanted as usize);
     let passed = header.points.saturating_sub(wanted);
-    let mut done = 0;
+    let mut waiting = Vec::new();
     for batch in batches(&chunks, packing.record) {
         let mut packed = Vec::new();
         for chunk in batch {
             packed.push(bytes(source, &mut input, chunk)?);
         }
-        if let [chunk] = batch {
-            done += alone(source, chunk, packed.remove(0), &packing, fields, table)?;
-        } else {
-            let unpacked: Vec<_> =
-                batch.par_iter().zip(packed).map(|(c, b)| unpack(c, b, &packing)).collect();
-            for (chunk, rows) in batch.iter().zip(unpacked) {
-                match rows {
-                    Ok(rows) => table.append(&rows, packing.record, fields, Endian::Little),
-                    Err(_) if options.salvage => {
-                        return Ok(Taken { rows: table.positions.len() as u64, passed });
-                    }
-                    Err(what) => return Err(broken(source, chunk, &what)),
-                }
-                done += chunk.points;
-            }
+        let before = std::mem::take(&mut waiting);
+        // The rows of one batch go into the table while the next is unpacked.
+        let (unpacked, put) = rayon::join(
+            || if batch.len() > 1 { unpack_all(batch, &mut packed, &packing) } else { Vec::new() },
+            || put(before, table, packing.record, fields),
+        );
+        match put {
+            Err(_) if options.salvage => return Ok(Taken { rows: table.positions.len() as u64, passed }),
+            Err((chunk, what)) => return Err(broken(source, chunk, &what)),
+            Ok(()) => waiting = unpacked,
+        }
+        if let ([chunk], Some(packed)) = (batch, packed.pop()) {
+            alone(source, chunk, packed, &packing, fields, table)?;
         }
     }
-    Ok(Taken { rows: done, passed })
+    match put(waiting, table, packing.record, fields) {
+        Err((chunk, what)) if !options.salvage => Err(broken(source, chunk, &what)),
+        _ => Ok(Taken { rows: table.positions.len() as u64, passed }),
+    }
+}
+
+/// A chunk with its rows, or why it cannot be unpacked.
+type Unpacked<'a> = (&'a Chunk, Result<Vec<u8>, String>);
+
+/// Unpacks chunks side by side, taking their packed bytes.
+fn unpack_all<'a>(batch: &'a [Chunk], packed: &mut Vec<Vec<u8>>, packing: &Packing) -> Vec<Unpacked<'a>> {
+    let pairs = batch.par_iter().zip(std::mem::take(packed));
+    pairs.map(|(chunk, bytes)| (chunk, unpack(chunk, bytes, packing))).collect()
+}
+
+/// Puts the rows of chunks into the table, up to the first that could not be unpacked.
+fn put<'a>(
+    chunks: Vec<Unpacked<'a>>,
+    table: &mut Table,
+    record: usize,
+    fields: &[Field],
+) -> Result<(), (&'a Chunk, String)> {
+    for (chunk, rows) in chunks {
+        table.append(&rows.map_err(|what| (chunk, what))?, record, fields, Endian::Little);
+    }
+    Ok(())
 }
 
 fn broken(source: &Source, chunk: &Chunk, what: &str) -> Error {
@@ -130,7 +158,8 @@ fn packing(source: &Source, header: &Header, frame: &LasFrame) -> Result<(LazVlr
             header.record_length
         ));
     }
-    Ok((vlr, Packing { items, layered, layers, record }))
+    let selection = DecompressionSelection::all();
+    Ok((vlr, Packing { items, layered, layers, record, selection }))
 }
 
 /// Bytes and layers of a packed item.
@@ -193,6 +222,7 @@ fn unpacker<'a>(bytes: Vec<u8>, packing: &Packing) -> Result<Unpacker<'a>, Strin
         Box::new(SequentialPointRecordDecompressor::new(Cursor::new(bytes)))
     };
     unpacker.set_fields_from(&packing.items).map_err(|error| error.to_string())?;
+    unpacker.set_selection(packing.selection);
     Ok(unpacker)
 }
 
@@ -215,7 +245,7 @@ fn alone(
     packing: &Packing,
     fields: &[Field],
     table: &mut Table,
-) -> Result<u64, Error> {
+) -> Result<(), Error> {
     let step = (STEP / packing.record).max(1).min(chunk.points as usize);
     let mut rows = vec![0; step * packing.record];
     let mut left = chunk.points;
@@ -229,8 +259,6 @@ fn alone(
         }
         Ok::<(), String>(())
     });
-    match result.unwrap_or_else(|| Err("the decoder gave up".into())) {
-        Ok(()) => Ok(chunk.points),
-        Err(what) => Err(broken(source, chunk, &what)),
-    }
+    let result = result.unwrap_or_else(|| Err("the decoder gave up".into()));
+    result.map_err(|what| broken(source, chunk, &what))
 }
