@@ -21,22 +21,23 @@ impl fmt::Display for Place {
     }
 }
 
-/// Characters of what a message says of an input: a header may name thousands of columns.
+/// Bytes of what a message says of an input: a header may name thousands of columns.
 const LONGEST: usize = 300;
 
 /// Text that came from an input, for a message: shortened, and with what is no printable character escaped, so that
 /// no input can steer a terminal.
 pub(crate) fn printable(text: &str) -> String {
     let mut short = String::new();
-    for c in text.chars().take(LONGEST) {
+    for c in text.chars() {
+        if short.len() >= LONGEST {
+            short.push_str("...");
+            break;
+        }
         if c.is_control() || c == char::REPLACEMENT_CHARACTER {
             short.extend(c.escape_unicode());
         } else {
             short.push(c);
         }
-    }
-    if text.chars().nth(LONGEST).is_some() {
-        short.push_str("...");
     }
     short
 }

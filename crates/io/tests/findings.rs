@@ -12,8 +12,9 @@ fn error(bytes: &[u8], name: &str) -> String {
 #[test]
 fn a_message_that_lists_fields_stays_short_and_printable() {
     let pcd = b"VERSION 0.7\nFIELDS x y s\xff\x1b[2J\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 900\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n";
+    let long = [b"VERSION 0.7\nFIELDS x y ", "\u{7f}".repeat(900).as_bytes(), b"\nSIZE 4\n"].concat();
     let table = b"a,\x1b[31m\xff\xff,c\n1.5,2.5,3.5\n";
-    for (bytes, name) in [(pcd.as_slice(), "long.pcd"), (table, "escape.csv")] {
+    for (bytes, name) in [(pcd.as_slice(), "long.pcd"), (&long, "odd.pcd"), (table, "escape.csv")] {
         let message = error(bytes, name);
         assert!(message.len() < 1000, "{message}");
         assert!(!message.contains('\x1b') && !message.contains('\u{fffd}'), "{message:?}");
