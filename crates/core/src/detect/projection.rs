@@ -52,7 +52,11 @@ pub fn project(points: &[[f64; 3]], resolution: Resolution, params: &ProjectionP
     let rows = at_every_scale(points, |_, _, scales| {
         let best = choice::best_scale(scales, floor, params.jump, standard);
         let at = scales[best];
-        ((at.distance / at.radius.max(f64::MIN_POSITIVE)) as f32, SCALES[best] as u8, at.normal.map(|x| x as f32))
+        (
+            (at.distance / at.radius.max(f64::MIN_POSITIVE)) as f32,
+            SCALES[best] as u8,
+            at.normal.map(|x| x as f32),
+        )
     });
     let mut projection = Projection::default();
     let mut distances = Vec::with_capacity(rows.len());
