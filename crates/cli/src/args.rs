@@ -81,7 +81,7 @@ pub struct Classify {
     /// Mark the points by this measure and its threshold alone, without looking for lines; see below
     #[arg(long, value_name = "NAME", conflicts_with = "method", value_parser = parse::detector)]
     pub detector: Option<Detector>,
-    /// Write the score of every detector as an attribute of the points (PLY)
+    /// Write the score of every detector as an attribute of the points, in any format but NPY
     #[arg(long)]
     pub scores: bool,
     #[command(flatten)]

@@ -60,6 +60,23 @@ fn scores_writes_every_measure_as_an_attribute() {
 }
 
 #[test]
+fn scores_go_into_every_format_that_has_attributes() {
+    let sandbox = with_cube();
+    let formats = ["las", "pcd", "csv", "xyz"];
+    let outputs = formats.map(|f| format!("a.{f}"));
+    let outputs = outputs.iter().flat_map(|o| ["-o", o.as_str()]);
+    let args: Vec<&str> = ["classify", "cube.xyz", "--scores"].into_iter().chain(outputs).collect();
+    sandbox.run(&args).expect(0);
+    for format in formats {
+        let bytes = sandbox.read(&format!("a.{format}"));
+        let head = String::from_utf8_lossy(&bytes[..bytes.len().min(4000)]).into_owned();
+        for name in DETECTORS {
+            assert!(head.contains(&name.replace('-', "_")), "{format}: {name}");
+        }
+    }
+}
+
+#[test]
 fn what_cannot_be_is_refused_before_anything_is_read() {
     let sandbox = with_cube();
     for args in [

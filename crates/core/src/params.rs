@@ -45,12 +45,15 @@ sections! {
     projection: ProjectionParams {
         /// Rise of the projected distance from one neighbourhood size to the next that counts as the edge coming into
         /// sight (the paper's epsilon, section 2.3).
-        jump: f64 = 3.0, "", 1.0..=1000000.0;
-        /// Projected distance below which there is none to speak of, so that rounding and noise are no rise; auto: from
-        /// the noise.
+        jump: f64 = 2.0, "", 1.0..=1000000.0;
+        /// Projected distance below which there is none to speak of, so that rounding and noise are neither a rise nor an
+        /// edge; auto: from the noise.
         floor_spacings: Auto<f64> = Auto::Auto, "spacings", 0.0..=10.0;
-        /// Bins of the histogram that Otsu's threshold is found on (section 2.4).
-        bins: usize = 256, "bins", 2.0..=65536.0;
+        /// Bins of the histogram that Otsu's threshold is found on (section 2.4), over scores from 0 to 1.
+        bins: usize = 256, "bins", 2.0..=4096.0;
+        /// Classes that Otsu's method parts the scores into: 3 also marks points within about a spacing of an edge, where
+        /// they can be told and are not most of the cloud; 2, as in the paper, those on it.
+        classes: usize = 3, "classes", 2.0..=3.0;
     }
 
     /// The minimum spanning graph and its pruning (Gumhold 2001, sections 3.2 and 3.3).

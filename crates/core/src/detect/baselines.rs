@@ -9,7 +9,7 @@ mod curvature;
 mod normal_difference;
 mod variation;
 
-use super::marks::Marks;
+use super::marks::{Least, Marks};
 use super::projection::project;
 use crate::params::{ProjectionParams, choices};
 use crate::resolution::Resolution;
@@ -85,5 +85,5 @@ pub fn marks(
         Detector::MultiscaleVariation => variation::greatest(points),
         Detector::Persistence => variation::persistence(points, params.bins),
     };
-    Marks::new(values, LEAST, params.bins)
+    Marks::new(values, Least { mark: LEAST, beside: LEAST }, params)
 }

@@ -1,7 +1,20 @@
 //! A measure's points above its own threshold.
 
-use crate::math::otsu::otsu;
+use crate::math::otsu::{Otsu, otsu, otsu3};
 use crate::measure::Class;
+use crate::params::ProjectionParams;
+
+/// Share of the points that a third class may bring the marks to: lines on a surface are not most of it.
+const MINORITY: f64 = 0.5;
+
+/// Values that mean nothing, in the unit of the measure.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Least {
+    /// Up to here values are rounding or noise.
+    pub mark: f64,
+    /// Up to here they do not make a point one beside an edge.
+    pub beside: f64,
+}
 
 /// A score for every point and the threshold above which a point is marked.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -12,23 +25,33 @@ pub struct Marks {
     pub greatest: f64,
     /// Scores above it are marked; infinite when the scores have no two classes.
     pub threshold: f64,
-    /// How well the threshold parts the scores, 0 to 1 (Otsu's eta).
+    /// How well one cut parts the scores into two classes, 0 to 1 (Otsu's eta).
     pub separability: f64,
 }
 
 impl Marks {
-    /// Normalises `values`, none of them negative, and cuts their histogram of `bins` bins by Otsu's method (Tran 2013,
-    /// section 2.4). Where no value is above `least` all are rounding, and there is nothing to mark.
-    pub fn new(mut values: Vec<f32>, least: f64, bins: usize) -> Marks {
+    /// Normalises `values`, none of them negative, and cuts their histogram by Otsu's method (Tran 2013, section 2.4).
+    ///
+    /// Values that `least` names are never marked. Where `params` ask for three classes, on an edge, beside it and smooth,
+    /// the two upper ones are marked, unless the cut between the lower two lies within the noise or leaves no minority above
+    /// it: then, and when asked for two, the cut is the paper's.
+    pub fn new(mut values: Vec<f32>, least: Least, params: &ProjectionParams) -> Marks {
         let greatest = values.iter().fold(0.0f32, |a, &b| a.max(b));
         if greatest > 0.0 {
             values.iter_mut().for_each(|v| *v /= greatest);
         }
-        let cut = otsu(&values, bins).filter(|_| f64::from(greatest) > least);
+        let [least, beside] = [least.mark, least.beside].map(|l| l / f64::from(greatest));
+        let cut = otsu(&values, params.bins).filter(|_| least < 1.0);
+        let three = (params.classes > 2).then(|| otsu3(&values, params.bins)).flatten();
+        let lower = three.map(|[lower, _]| lower.max(beside)).filter(|&lower| {
+            let above = values.iter().filter(|&&v| f64::from(v) > lower).count() as f64;
+            lower > least && above < MINORITY * values.len() as f64
+        });
+        let threshold = |cut: Otsu| lower.unwrap_or(cut.threshold).min(cut.threshold).max(least);
         Marks {
             score: values,
             greatest: greatest.into(),
-            threshold: cut.map_or(f64::INFINITY, |c| c.threshold),
+            threshold: cut.map_or(f64::INFINITY, threshold),
             separability: cut.map_or(0.0, |c| c.separability),
         }
     }
@@ -57,9 +80,13 @@ impl Marks {
 mod tests {
     use super::*;
 
+    fn marks(values: Vec<f32>, mark: f64) -> Marks {
+        Marks::new(values, Least { mark, beside: 0.0 }, &ProjectionParams::default())
+    }
+
     #[test]
     fn scores_are_relative_to_the_greatest_and_the_greater_heap_is_marked() {
-        let marks = Marks::new(vec![0.0, 0.1, 4.0, 0.2, 3.8], 0.0, 256);
+        let marks = marks(vec![0.0, 0.0, 4.0, 0.0, 3.8], 0.0);
         assert_eq!((marks.score[2], marks.greatest), (1.0, 4.0));
         assert_eq!(marks.count(), 2);
         let [smooth, crease] = [Class::Smooth, Class::Crease];
@@ -68,9 +95,31 @@ mod tests {
 
     #[test]
     fn equal_values_and_values_of_rounding_mark_nothing() {
-        assert_eq!(Marks::new(vec![1e-17, 3e-17, 0.0], 1e-9, 256).count(), 0);
-        assert_eq!(Marks::new(vec![0.0; 5], 0.0, 256).count(), 0);
-        assert_eq!(Marks::new(vec![2.0; 5], 0.0, 256).count(), 0);
-        assert_eq!(Marks::new(Vec::new(), 0.0, 256).count(), 0);
+        assert_eq!(marks(vec![1e-17, 3e-17, 0.0], 1e-9).count(), 0);
+        assert_eq!(marks(vec![0.0; 5], 0.0).count(), 0);
+        assert_eq!(marks(vec![2.0; 5], 0.0).count(), 0);
+        assert_eq!(marks(Vec::new(), 0.0).count(), 0);
+    }
+
+    /// Values of points on an edge, beside it and away from it, as many as given.
+    fn heaps(counts: [usize; 3]) -> Vec<f32> {
+        [0.6, 0.2, 0.0].into_iter().zip(counts).flat_map(|(v, n)| std::iter::repeat_n(v, n)).collect()
+    }
+
+    #[test]
+    fn points_beside_an_edge_are_marked_where_they_are_no_majority_and_no_noise() {
+        assert_eq!(marks(heaps([10, 20, 70]), 0.01).count(), 30);
+        assert_eq!(marks(heaps([25, 35, 40]), 0.01).count(), 25);
+        assert_eq!(marks(heaps([10, 20, 70]), 0.3).count(), 10);
+        let two = ProjectionParams { classes: 2, ..Default::default() };
+        let least = Least { mark: 0.01, beside: 0.3 };
+        assert_eq!(Marks::new(heaps([10, 20, 70]), least, &two).count(), 10);
+        assert_eq!(Marks::new(heaps([10, 20, 70]), least, &ProjectionParams::default()).count(), 10);
+    }
+
+    #[test]
+    fn nothing_within_the_noise_is_marked() {
+        assert_eq!(marks(heaps([10, 20, 70]), 0.7).count(), 0);
+        assert_eq!(marks(vec![0.1, 0.2, 0.0, 0.0, 0.25], 0.22).count(), 1);
     }
 }

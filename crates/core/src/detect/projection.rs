@@ -5,8 +5,13 @@
 //! along the normal. [`scales`] measures that at seven sizes of neighbourhood (sections 2.1 and 2.2), [`choice`] takes the
 //! one before the edge comes into sight (2.3), and Otsu's threshold on the histogram of the result marks points (2.4).
 //!
-//! Two things are said more closely than in the paper. Its histogram has no resolution there: here 256 bins. And ratios of
-//! distances that are rounding or noise count as none: see [`choice::floor`].
+//! Said more closely than in the paper:
+//! * The final value is the distance over the radius of its neighbourhood, so that sparse places do not outweigh dense ones.
+//! * Its histogram has no resolution there: here 256 bins.
+//! * Figure 5 tells smooth points from potential edges and corners by one cut. Points within a spacing of an edge see it too
+//!   and stand between: Otsu's method for three classes tells all three, and marks the two upper ones, where that is not most
+//!   of the cloud (see [`Marks::new`]). With `projection.classes=2` the one cut is the paper's, and marks lie on the edge.
+//! * Ratios of distances that are rounding or noise count as none, and such distances are no edge: see [`choice`].
 //!
 //! The paper ends with marked points; [`candidates`] prepares them for a linker.
 
@@ -14,7 +19,9 @@ pub mod candidates;
 pub mod choice;
 pub mod scales;
 
-use super::marks::Marks;
+use std::f64::consts::PI;
+
+use super::marks::{Least, Marks};
 use crate::params::ProjectionParams;
 use crate::resolution::Resolution;
 use scales::{SCALES, at_every_scale};
@@ -22,7 +29,7 @@ use scales::{SCALES, at_every_scale};
 /// What the method says of every point, canonical order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Projection {
-    /// Normalised projected distances at the best scales, with the threshold.
+    /// Projected distances at the best scales over their radii, normalised, with the threshold.
     pub marks: Marks,
     /// `(N)` the best scale: a number of neighbours.
     pub scale: Vec<u8>,
@@ -33,14 +40,23 @@ pub struct Projection {
 /// Noise, in spacings, above which the marks are mostly false; measured on a part with known edges.
 pub const NOISE_LIMIT: f64 = 0.15;
 
+/// Projected distance, in spacings, that a point may have which is near an edge and not at it (the paper's table 1: less
+/// than 0.1).
+const NEAR_SHARP: f64 = 0.1;
+
 /// Projected distances of all points at their best scales, and which of them are marked. `points` in canonical order,
 /// local frame.
 pub fn project(points: &[[f64; 3]], resolution: Resolution, params: &ProjectionParams) -> Projection {
     let floor = choice::floor(resolution, params);
+    let standard = choice::standard(resolution);
     let rows = at_every_scale(points, |_, _, scales| {
-        let best = choice::best_scale(scales, floor, params.jump);
+        let best = choice::best_scale(scales, floor, params.jump, standard);
         let at = scales[best];
-        (at.distance as f32, SCALES[best] as u8, at.normal.map(|x| x as f32))
+        (
+            (at.distance / at.radius.max(f64::MIN_POSITIVE)) as f32,
+            SCALES[best] as u8,
+            at.normal.map(|x| x as f32),
+        )
     });
     let mut projection = Projection::default();
     let mut distances = Vec::with_capacity(rows.len());
@@ -49,7 +65,10 @@ pub fn project(points: &[[f64; 3]], resolution: Resolution, params: &ProjectionP
         projection.scale.push(scale);
         projection.normal.push(normal);
     }
-    projection.marks = Marks::new(distances, floor, params.bins);
+    // A disc of one point for each square of the spacing has this radius.
+    let radius = ((SCALES[standard] + 1) as f64 / PI).sqrt() * resolution.spacing;
+    let least = Least { mark: floor / radius, beside: NEAR_SHARP * resolution.spacing / radius };
+    projection.marks = Marks::new(distances, least, params);
     projection
 }
 

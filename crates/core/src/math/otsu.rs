@@ -1,7 +1,8 @@
 //! Otsu's threshold: the cut of a histogram that leaves its two sides furthest apart.
 //!
 //! N. Otsu, *A Threshold Selection Method from Gray-Level Histograms*, IEEE Transactions on Systems, Man, and Cybernetics
-//! 9 (1979), 62-66. Counts are integers, so that the order of the values has no say.
+//! 9 (1979), 62-66: for two classes, and in [`otsu3`] for three (section V). Counts are integers, so that the order of the
+//! values has no say.
 
 /// Where a histogram is cut, and how well.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,11 +18,8 @@ pub struct Otsu {
 ///
 /// `None` when all values fall into one bin: there is nothing to cut.
 pub fn otsu(values: &[f32], bins: usize) -> Option<Otsu> {
-    let mut counts = vec![0u64; bins.max(2)];
+    let counts = histogram(values, bins);
     let bins = counts.len();
-    for &value in values.iter().filter(|v| v.is_finite()) {
-        counts[bin(value, bins)] += 1;
-    }
     let total = counts.iter().sum::<u64>() as f64;
     let centre = |b: usize| (b as f64 + 0.5) / bins as f64;
     let mean = counts.iter().enumerate().map(|(b, &n)| n as f64 * centre(b)).sum::<f64>() / total;
@@ -45,6 +43,53 @@ pub fn otsu(values: &[f32], bins: usize) -> Option<Otsu> {
         threshold: (0.5 * (first + last) as f64 + 1.0) / bins as f64,
         separability: best * total / variance,
     })
+}
+
+/// The two borders, the lower first, that cut the histogram of `values` into the three classes furthest apart; values, bins
+/// and ties as in [`otsu`]. Takes `bins` squared steps.
+///
+/// `None` when the values fall into fewer than three bins.
+pub fn otsu3(values: &[f32], bins: usize) -> Option<[f64; 2]> {
+    let counts = histogram(values, bins);
+    if counts.iter().filter(|&&n| n > 0).count() < 3 {
+        return None;
+    }
+    let bins = counts.len();
+    // Number of values and sum of their bins below each border; both whole, so that differences are exact.
+    let mut sums = vec![[0.0; 2]];
+    for (b, &count) in counts.iter().enumerate() {
+        let [number, moment] = sums[b];
+        sums.push([number + count as f64, moment + count as f64 * b as f64]);
+    }
+    // The variance between the classes is the sum of these, but for a constant.
+    let class = |from: usize, to: usize| {
+        let [number, moment] = [0, 1].map(|k| sums[to][k] - sums[from][k]);
+        if number > 0.0 { moment * moment / number } else { 0.0 }
+    };
+    let (mut best, mut least, mut most) = (0.0, [0; 2], [0; 2]);
+    for lower in 1..bins - 1 {
+        let below = class(0, lower);
+        for upper in lower + 1..bins {
+            let between = below + class(lower, upper) + class(upper, bins);
+            if between > best * (1.0 + 1e-9) {
+                (best, least, most) = (between, [lower, upper], [lower, upper]);
+            } else if between > best * (1.0 - 1e-9) {
+                least = [least[0].min(lower), least[1].min(upper)];
+                most = [most[0].max(lower), most[1].max(upper)];
+            }
+        }
+    }
+    Some([0, 1].map(|k| 0.5 * (least[k] + most[k]) as f64 / bins as f64))
+}
+
+/// Counts of the finite values in equal bins over `[0, 1]`, at least two.
+fn histogram(values: &[f32], bins: usize) -> Vec<u64> {
+    let mut counts = vec![0; bins.max(2)];
+    let bins = counts.len();
+    for &value in values.iter().filter(|v| v.is_finite()) {
+        counts[bin(value, bins)] += 1;
+    }
+    counts
 }
 
 fn bin(value: f32, bins: usize) -> usize {
@@ -87,6 +132,17 @@ mod tests {
         };
         let least = (1..64).map(|b| within(b as f64 / 64.0)).fold(f64::INFINITY, f64::min);
         assert!((within(otsu(&values, 64).unwrap().threshold) - least).abs() < 1e-9);
+    }
+
+    #[test]
+    fn three_heaps_are_cut_in_the_middle_of_both_gaps() {
+        let heap = |at: f32, count: usize| std::iter::repeat_n(at, count);
+        let values: Vec<f32> = heap(0.1, 700).chain(heap(0.3, 200)).chain(heap(0.8, 100)).collect();
+        let [lower, upper] = otsu3(&values, 256).unwrap();
+        assert!((lower - 0.2).abs() < 0.01 && (upper - 0.55).abs() < 0.01, "{lower} {upper}");
+        assert_eq!(otsu3(&values[..900], 256), None, "two heaps have no three classes");
+        assert_eq!(otsu3(&[], 256), None);
+        assert_eq!(otsu3(&[0.0, 0.3, 0.9], 2), None);
     }
 
     #[test]

@@ -1,12 +1,13 @@
 //! From marked points to candidates of the minimum spanning graph.
 //!
 //! Not in Tran 2013, which ends with points; which of them are *marked* is the paper's affair and not touched here. Candidates
-//! are the marked points and those beside them that come halfway to the threshold, so that a line is not cut where the
-//! sampling keeps off the edge. A candidate's scalar penalty is one less its normalised score. Direction, foot and angle come
-//! from the tensor of the normals around it, by the code of the robust penalties, with two differences: a neighbour counts
-//! the less the sharper it is itself, as its plane is that of no face; and of a band that is left beside the feet only the
-//! ridge of the score is kept. From there comes also the evidence that tells a fold from a round, without which a linker
-//! would make lines of all the points that a threshold marks on a sphere.
+//! are all points that come within a share of the threshold, so that a line is not cut where the sampling keeps off the edge,
+//! noise hides it or it is blunt: what is no crease fails the test below. A candidate's scalar penalty is one half at the
+//! threshold and falls with its score. Direction, foot and angle come from the tensor of the normals around it, by the code of
+//! the robust penalties, with two differences: a neighbour counts the less the sharper it is itself, as its plane is that of no
+//! face; and of a band that is left beside the feet only the ridge of the score is kept. From there comes also the evidence
+//! that tells a fold from a round, without which a linker would make lines of all the points that a threshold marks on a
+//! sphere.
 //!
 //! A border stands in its own plane and has no projected distance: Tran's method marks none. Border lines are those of the
 //! robust penalties; they have no part in the marks.
@@ -26,8 +27,8 @@ use crate::params::Params;
 use crate::resolution::Resolution;
 use rayon::prelude::*;
 
-/// Share of the threshold that makes the neighbour of a marked point a candidate.
-const BESIDE: f64 = 0.5;
+/// Share of the threshold that makes a point a candidate.
+const LEAST_SCORE: f64 = 0.25;
 /// Share of the fold of a crease, both as sines of the half angle, below which no line is looked for; as in the robust
 /// penalties.
 const LEAST_FOLDED: f64 = 0.5;
@@ -89,7 +90,8 @@ fn rows(context: &Context, marks: &Marks) -> Vec<Candidate> {
         let border = may_be_border(context.points, i, context.graph.of(i))
             .then(|| border(context.points, i, wide, context.resolution, angles))
             .flatten();
-        let is_crease = is_candidate(context.graph, marks, i);
+        let score = f64::from(marks.score[i]);
+        let is_crease = score > LEAST_SCORE * marks.threshold;
         if !is_crease && border.is_none() {
             return None;
         }
@@ -97,7 +99,7 @@ fn rows(context: &Context, marks: &Marks) -> Vec<Candidate> {
         let (tensor, pull) = context.normal_tensor(i, near);
         let fold = tensor.values[1].max(0.0).sqrt();
         let wide = context.graph.hops(i, context.hops.max(2), scratch);
-        let penalty = 1.0 - f64::from(marks.score[i]);
+        let penalty = marks.threshold / (score + marks.threshold);
         let crease = (is_crease && fold > LEAST_FOLDED * context.least_fold)
             .then(|| context.crease(i, &tensor, pull, penalty, wide, section))
             .filter(|row| row.evidence > CLEARLY_SMOOTH);
@@ -107,13 +109,8 @@ fn rows(context: &Context, marks: &Marks) -> Vec<Candidate> {
     every.map_init(Default::default, row).collect::<Vec<Option<Candidate>>>().into_iter().flatten().collect()
 }
 
-fn is_candidate(graph: &Neighbors, marks: &Marks, i: usize) -> bool {
-    marks.is_marked(i)
-        || (f64::from(marks.score[i]) > BESIDE * marks.threshold
-            && graph.of(i).iter().any(|&j| marks.is_marked(j as usize)))
-}
-
-/// Whether no neighbour's foot across the line scores higher, or as high with a lesser index.
+/// Whether no neighbour's foot across the line scores higher, or as high with a lesser index, and looks as sharp: on a sheet
+/// about as thin as the spacing the greatest scores are not at the rims.
 fn is_ridge(
     graph: &Neighbors,
     resolution: Resolution,
@@ -128,12 +125,13 @@ fn is_ridge(
     }
     let score = |i: u32| marks.score[i as usize];
     let higher = |j: u32| score(j) > score(*own) || (score(j) == score(*own) && j < *own);
+    let sharpness = |row: &Row| row.evidence / row.expected.max(f32::MIN_POSITIVE);
     let band = BAND.0 * resolution.unit()..BAND.1 * resolution.unit();
     let beside = |other: &Row| {
         let offset = sub(other.foot, row.foot);
         let (length, along) = (norm(offset), dot(offset, direction) / certainty);
         let across = (length * length - along * along).max(0.0).sqrt();
-        across > ACROSS * length && band.contains(&across)
+        across > ACROSS * length && band.contains(&across) && sharpness(other) >= sharpness(row)
     };
     let near = graph.of(*own as usize).iter().filter(|&&j| higher(j));
     !near.filter_map(|j| folds.binary_search_by_key(j, |f| f.0).ok()).any(|k| beside(&folds[k].1))

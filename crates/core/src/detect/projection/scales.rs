@@ -5,7 +5,7 @@
 
 use crate::detect::tensor::add_product;
 use crate::math::least_axis::least_axis;
-use crate::math::vec3::{dot, sub};
+use crate::math::vec3::{dot, norm, sub};
 use crate::neighbors::nearest_blocks;
 
 /// The neighbourhood sizes of the paper.
@@ -16,6 +16,8 @@ pub const SCALES: [usize; 7] = [8, 12, 16, 20, 24, 28, 32];
 pub struct AtScale {
     /// Projected distance `|(p - centroid) . n|` (equation 1).
     pub distance: f64,
+    /// Distance of the farthest neighbour.
+    pub radius: f64,
     /// Surface variation: the least eigenvalue over the sum of all (Pauly 2003, section 2), 0 to 1/3.
     pub variation: f64,
     /// The normal of Hoppe 1992: axis of least variance, without orientation.
@@ -40,13 +42,14 @@ pub fn at_every_scale<R: Send>(
 
 /// All scales of point `own` from its neighbours by distance.
 fn scales(points: &[[f64; 3]], own: usize, nearest: &[u32]) -> [AtScale; 7] {
-    let (mut sum, mut products, mut taken) = ([0.0; 3], [0.0; 6], 0);
+    let (mut sum, mut products, mut taken, mut radius) = ([0.0; 3], [0.0; 6], 0, 0.0);
     SCALES.map(|scale| {
         let upto = scale.min(nearest.len());
         for &j in &nearest[taken..upto] {
             let d = sub(points[j as usize], points[own]);
             (0..3).for_each(|c| sum[c] += d[c]);
             add_product(&mut products, d, 1.0);
+            radius = norm(d);
         }
         taken = upto;
         let count = (upto + 1) as f64;
@@ -56,7 +59,7 @@ fn scales(points: &[[f64; 3]], own: usize, nearest: &[u32]) -> [AtScale; 7] {
         let trace = tensor[0] + tensor[3] + tensor[5];
         let (least, normal) = least_axis(&tensor);
         let variation = if trace > 0.0 { least / trace } else { 0.0 };
-        AtScale { distance: dot(centre, normal).abs(), variation, normal }
+        AtScale { distance: dot(centre, normal).abs(), radius, variation, normal }
     })
 }
 
