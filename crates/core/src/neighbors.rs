@@ -91,12 +91,24 @@ pub fn nearest_blocks<R: Send>(
     k: usize,
     visit: impl Fn(usize, &[u32]) -> R + Sync,
 ) -> Vec<R> {
+    if k.min(positions.len().saturating_sub(1)) == 0 {
+        return Vec::new();
+    }
+    nearest_blocks_in(&Index::build(positions), positions, k, visit)
+}
+
+/// [`nearest_blocks`] with an index of the same positions that is there already.
+pub(crate) fn nearest_blocks_in<R: Send>(
+    index: &Index,
+    positions: &[[f64; 3]],
+    k: usize,
+    visit: impl Fn(usize, &[u32]) -> R + Sync,
+) -> Vec<R> {
     let k = k.min(positions.len().saturating_sub(1));
     if k == 0 {
         return Vec::new();
     }
-    let index = Index::build(positions);
-    let engine = Engine::new(&index, positions, k, Instructions::Detected);
+    let engine = Engine::new(index, positions, k, Instructions::Detected);
     let block = |lists: &mut Vec<u32>, b: usize| {
         let first = b * BLOCK;
         lists.resize(BLOCK.min(positions.len() - first) * k, 0);

@@ -9,15 +9,19 @@
 mod adaptive;
 mod band;
 mod carry;
+mod chain;
 mod corner;
 mod curve;
 mod hull;
+mod join;
 mod link;
 mod lsq;
 mod nest;
 mod node;
 mod outline;
 mod params;
+mod plane;
+mod polyline;
 mod primitive;
 mod result;
 mod slice;
@@ -25,6 +29,7 @@ mod smooth;
 mod spline;
 mod spread;
 mod stack;
+mod stray;
 mod surface;
 mod tidy;
 mod tree;
@@ -57,15 +62,31 @@ const FEWEST: usize = 4;
 pub fn section(cloud: &Cloud, params: &SectionParams) -> Result<Sections, Error> {
     params.check()?;
     let local = Frame::localise(cloud)?;
+    sections(&local, &Index::build(&local.positions), params)
+}
+
+/// [`section`], and what [`stack`] says of the sections.
+///
+/// # Errors
+/// Those of [`section`].
+pub fn section_and_stack(cloud: &Cloud, params: &SectionParams) -> Result<(Sections, Stack), Error> {
+    params.check()?;
+    let local = Frame::localise(cloud)?;
     let index = Index::build(&local.positions);
-    let texture = surface::texture(&local.positions, &index);
-    let slicer = Slicer::new(&local, params, texture)?;
+    let sections = sections(&local, &index, params)?;
+    let stack = stack::of(&local, &index, &sections);
+    Ok((sections, stack))
+}
+
+fn sections(local: &Localised, index: &Index, params: &SectionParams) -> Result<Sections, Error> {
+    let texture = surface::texture(&local.positions, index);
+    let slicer = Slicer::new(local, params, texture);
     let mut heights = slicer.heights(params)?;
     if let Planes::Adaptive { start, most } = params.planes {
-        heights = slicer.adapted(&local, &index, start, most);
+        heights = slicer.adapted(local, index, start, most);
     }
-    let found = slicer.cut(&local, &index, &heights);
-    Ok(slicer.finish(found, &local, heights))
+    let found = slicer.cut(local, index, &heights);
+    Ok(slicer.finish(found, local, heights))
 }
 
 /// The cloud turned so that its third coordinate runs across the slices, with what holds for all of them.
@@ -80,11 +101,11 @@ struct Slicer<'a> {
 }
 
 impl<'a> Slicer<'a> {
-    fn new(local: &Localised, params: &'a SectionParams, texture: Texture) -> Result<Self, Error> {
+    fn new(local: &Localised, params: &'a SectionParams, texture: Texture) -> Self {
         let frame = slice::resolve(params.axis, &local.positions);
         let turned = local.positions.par_iter().map(|&p| frame.coordinates(p)).collect();
         let base = frame.coordinates(local.frame.offset)[2];
-        Ok(Self { params, frame, scale: local.frame.scale, base, texture, turned })
+        Self { params, frame, scale: local.frame.scale, base, texture, turned }
     }
 
     /// World heights of the planes in the order asked for.
@@ -167,7 +188,7 @@ impl<'a> Slicer<'a> {
                 noise: self.texture.noise,
                 carry: self.params.carry,
             };
-            carry::carry([x, y, z - height], &patch, reach, i)
+            carry::carry([x, y, z - height], &patch, reach)
         };
         slab.iter().filter_map(|&i| turn(i)).collect()
     }

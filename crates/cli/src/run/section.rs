@@ -43,12 +43,7 @@ fn one(
 ) -> Result<Done, Failure> {
     let start = Instant::now();
     let hash = outputs.iter().any(|path| matches!(section_format(path), Ok(SectionFormat::Json)));
-    let (input, sections) = cut(&args.source, origin, params, hash)?;
-    let stack = if params.fit {
-        section::stack(&input.cloud, &sections).map_err(|e| Failure::from(e).at(origin.shown()))?
-    } else {
-        Stack::default()
-    };
+    let (input, sections, stack) = cut(&args.source, origin, params, hash)?;
     let context = SectionContext {
         program_version: env!("CARGO_PKG_VERSION").into(),
         input_name: input.name.clone(),
@@ -88,7 +83,7 @@ fn pictures(
     params: &SectionParams,
 ) -> Result<Done, Failure> {
     let start = Instant::now();
-    let (input, sections) = cut(&args.source, origin, params, false)?;
+    let (input, sections, _) = cut(&args.source, origin, params, false)?;
     std::fs::create_dir_all(folder).map_err(|e| {
         Failure::new(Code::Output, format!("{}: cannot make the folder: {e}", folder.display()))
     })?;
@@ -113,11 +108,16 @@ fn cut(
     origin: &Origin,
     params: &SectionParams,
     hash: bool,
-) -> Result<(Input, Sections), Failure> {
+) -> Result<(Input, Sections, Stack), Failure> {
     let input =
         origin.load(&source.reading, &ReadOptions { attributes: false, hash, ..Default::default() })?;
-    let sections = section::section(&input.cloud, params).map_err(|e| Failure::from(e).at(origin.shown()))?;
-    Ok((input, sections))
+    let found = if params.fit {
+        section::section_and_stack(&input.cloud, params)
+    } else {
+        section::section(&input.cloud, params).map(|sections| (sections, Stack::default()))
+    };
+    let (sections, stack) = found.map_err(|e| Failure::from(e).at(origin.shown()))?;
+    Ok((input, sections, stack))
 }
 
 fn closed(sections: &Sections) -> usize {

@@ -5,8 +5,8 @@
 //! with it; a slab whose section differs from a neighbour's may hold features that a thick slab would tangle, and is
 //! split, down to slabs as thick as the local spacing lets a curve be described.
 
-use super::nest;
-use super::result::Section;
+use super::polyline::Polyline;
+use super::result::{Contour, Section};
 
 /// A slab between two heights with the section at its middle.
 #[derive(Clone, Debug)]
@@ -119,10 +119,10 @@ fn alike(a: &Slab, b: &Slab, distance: f64) -> bool {
 
 /// Greatest over the contours of one section of the mean distance from the nearest contour of the other.
 fn apart(a: &Section, b: &Section) -> f64 {
-    let flat = |points: &[[f64; 3]]| points.iter().map(|p| [p[0], p[1]]).collect::<Vec<[f64; 2]>>();
-    let others: Vec<(Vec<[f64; 2]>, bool)> = b.contours.iter().map(|c| (flat(&c.points), c.closed)).collect();
+    let flat = |c: &Contour| c.points.iter().map(|p| [p[0], p[1]]).collect::<Vec<[f64; 2]>>();
+    let others: Vec<Polyline> = b.contours.iter().map(|c| Polyline::new(flat(c), c.closed)).collect();
     let from = |points: Vec<[f64; 2]>| {
-        others.iter().map(|(o, closed)| nest::apart(&points, o, *closed).0).fold(f64::INFINITY, f64::min)
+        others.iter().map(|o| o.mean_off(points.iter().copied())).fold(f64::INFINITY, f64::min)
     };
-    a.contours.iter().map(|c| from(flat(&c.points))).fold(0.0, f64::max)
+    a.contours.iter().map(|c| from(flat(c))).fold(0.0, f64::max)
 }

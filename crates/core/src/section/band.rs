@@ -1,17 +1,25 @@
 //! The samples of each contour in their order along it: the band of points that an outline is drawn from.
 
 use super::carry::Sample;
-use super::link::Chain;
+use super::chain::Chain;
 use super::tree::Tree;
-use super::vec2::{along, distance, dot, onto, sub, unit};
+use super::vec2::{along, cross, distance, dot, onto, sub, unit};
 
-/// A sample with its place along a contour.
+/// What an outline is drawn from of a sample, with its place along a contour.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mark {
     /// Length along the contour's polyline to the foot of the sample.
     pub arc: f64,
-    /// The sample.
-    pub sample: Sample,
+    /// See [`Sample`].
+    pub raw: [f64; 2],
+    /// See [`Sample`].
+    pub lift: f64,
+    /// See [`Sample`].
+    pub blur: f64,
+    /// See [`Sample`].
+    pub spacing: f64,
+    /// How fast the wall moves to the right of the contour with growing height.
+    pub growth: f64,
 }
 
 /// A contour's polyline with its samples, ascending by arc.
@@ -27,46 +35,71 @@ pub(crate) struct Band {
     pub marks: Vec<Mark>,
 }
 
-/// Gives every sample to the nearest contour that runs its way; samples nearer to none are left out.
-pub(crate) fn assign(samples: &[Sample], chains: Vec<Chain>) -> Vec<Band> {
+/// Gives every sample to the nearest contour that runs its way; samples near none are left out. `tree` holds the
+/// feet of the samples.
+pub(crate) fn assign(samples: &[Sample], tree: &Tree<2>, chains: Vec<Chain>) -> Vec<Band> {
     let mut bands: Vec<Band> = chains.into_iter().map(empty).collect();
-    let (mut places, mut owners) = (Vec::new(), Vec::new());
+    let mut best = vec![Place { off: f64::INFINITY, band: 0, arc: 0.0, growth: 0.0 }; samples.len()];
+    let mut found = Vec::new();
     for (b, band) in bands.iter().enumerate() {
         for v in 0..segments(band) {
             let (from, to) = segment(band, v);
-            let pieces =
-                (distance(from, to) / band.chain.vertices[v].spacing).ceil().clamp(1.0, 64.0) as usize;
+            let (length, spacing) = (distance(from, to), band.chain.vertices[v].spacing);
+            // Long segments are looked along in balls of a few spacings, not in one large one.
+            let pieces = (length / (3.0 * spacing)).ceil().clamp(1.0, 1e6) as usize;
             for k in 0..pieces {
-                places.push(along(from, sub(to, from), (k as f64 + 0.5) / pieces as f64));
-                owners.push((b as u32, v as u32));
+                let middle = along(from, sub(to, from), (k as f64 + 0.5) / pieces as f64);
+                tree.within(middle, 0.5 * length / pieces as f64 + REACH * spacing, &mut found);
+                for &i in &found {
+                    best[i as usize].meet(&samples[i as usize], b as u32, band.arcs[v], [from, to]);
+                }
             }
         }
     }
-    let tree = Tree::new(&places);
-    let mut best = Vec::new();
-    for sample in samples {
-        tree.nearest(sample.foot, 4, &mut best);
-        let nearest = best.iter().filter_map(|&(_, i)| place(&bands, owners[i as usize], sample));
-        let pick = nearest.min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
-        if let Some((b, _, arc)) = pick {
-            bands[b as usize].marks.push(Mark { arc, sample: *sample });
-        }
-    }
-    for band in &mut bands {
-        band.marks.sort_by(|a, b| a.arc.total_cmp(&b.arc).then(a.sample.source.cmp(&b.sample.source)));
-    }
+    deal(samples, &best, &mut bands);
     bands
 }
 
-fn place(bands: &[Band], (b, v): (u32, u32), sample: &Sample) -> Option<(u32, f64, f64)> {
-    let band = &bands[b as usize];
-    let (from, to) = segment(band, v as usize);
-    let (share, off) = onto(from, to, sample.foot);
-    let runs = dot(unit(sub(to, from)), sample.tangent).abs();
-    if runs < 0.6 || off > sample.spacing {
-        return None;
+/// How far from a contour samples are looked for, in its own spacings; each then has a say by its own.
+const REACH: f64 = 1.5;
+
+/// Where a sample lies along the nearest contour so far.
+#[derive(Clone, Copy)]
+struct Place {
+    off: f64,
+    band: u32,
+    arc: f64,
+    growth: f64,
+}
+
+impl Place {
+    /// Takes a segment, which begins at `start` along its contour, if it is nearer and runs the sample's way.
+    fn meet(&mut self, sample: &Sample, band: u32, start: f64, [from, to]: [[f64; 2]; 2]) {
+        let (share, off) = onto(from, to, sample.foot);
+        if off >= self.off || off > sample.spacing {
+            return;
+        }
+        let direction = unit(sub(to, from));
+        if dot(direction, sample.tangent).abs() >= 0.6 {
+            let growth = cross(sample.drift, direction);
+            *self = Place { off, band, arc: start + share * distance(from, to), growth };
+        }
     }
-    Some((b, off, band.arcs[v as usize] + share * distance(from, to)))
+}
+
+fn deal(samples: &[Sample], best: &[Place], bands: &mut [Band]) {
+    let mut order: Vec<u32> =
+        (0..samples.len() as u32).filter(|&i| best[i as usize].off.is_finite()).collect();
+    order.sort_unstable_by(|&i, &j| {
+        let (p, q) = (&best[i as usize], &best[j as usize]);
+        p.band.cmp(&q.band).then(p.arc.total_cmp(&q.arc)).then(i.cmp(&j))
+    });
+    for i in order {
+        let (place, s) = (&best[i as usize], &samples[i as usize]);
+        let Place { arc, growth, .. } = *place;
+        let mark = Mark { arc, raw: s.raw, lift: s.lift, blur: s.blur, spacing: s.spacing, growth };
+        bands[place.band as usize].marks.push(mark);
+    }
 }
 
 fn empty(chain: Chain) -> Band {
@@ -95,9 +128,17 @@ pub(crate) fn segment(band: &Band, v: usize) -> ([f64; 2], [f64; 2]) {
 }
 
 impl Band {
+    /// The median growth of its marks; 0 for none.
+    pub(crate) fn growth(&self) -> f64 {
+        let mut all: Vec<f64> = self.marks.iter().map(|m| m.growth).collect();
+        let middle = all.len() / 2;
+        if all.is_empty() { 0.0 } else { *all.select_nth_unstable_by(middle, f64::total_cmp).1 }
+    }
+
     /// The point of the polyline at an arc; arcs of a closed band may run over its seam.
     pub(crate) fn at(&self, arc: f64) -> [f64; 2] {
-        let arc = if self.chain.closed && self.length > 0.0 { arc.rem_euclid(self.length) } else { arc };
+        let inside = (0.0..self.length).contains(&arc) || !self.chain.closed || self.length <= 0.0;
+        let arc = if inside { arc } else { arc.rem_euclid(self.length) };
         let last = segments(self).saturating_sub(1);
         let v = self.arcs.partition_point(|&a| a <= arc).saturating_sub(1).min(last);
         let (from, to) = segment(self, v);
@@ -106,14 +147,17 @@ impl Band {
         along(from, sub(to, from), share)
     }
 
-    /// Calls `visit` with every mark in the arc range, as (arc unrolled over the seam of a closed band, sample).
-    pub(crate) fn visit(&self, from: f64, to: f64, mut visit: impl FnMut(f64, &Sample)) {
+    /// Calls `visit` with every mark in the arc range, as (arc unrolled over the seam of a closed band, mark).
+    pub(crate) fn visit(&self, from: f64, to: f64, mut visit: impl FnMut(f64, &Mark)) {
         let turns: &[f64] = if self.chain.closed { &[-1.0, 0.0, 1.0] } else { &[0.0] };
         for turn in turns {
             let shift = turn * self.length;
+            if shift > to || shift + self.length < from {
+                continue;
+            }
             let start = self.marks.partition_point(|m| m.arc + shift < from);
             for mark in self.marks[start..].iter().take_while(|m| m.arc + shift <= to) {
-                visit(mark.arc + shift, &mark.sample);
+                visit(mark.arc + shift, mark);
             }
         }
     }

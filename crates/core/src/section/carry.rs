@@ -15,6 +15,8 @@ pub(crate) struct Sample {
     pub foot: [f64; 2],
     /// Unit direction of the curve, of either sign.
     pub tangent: [f64; 2],
+    /// How the curve moves with growing height, as the tangent plane has it.
+    pub drift: [f64; 2],
     /// Signed distance along the surface, in local spacings; positive over the plane.
     pub lift: f64,
     /// Local spacing.
@@ -25,8 +27,6 @@ pub(crate) struct Sample {
     /// Whether the tangent plane fits worse than noise explains (beside a crease, on a strong bend), or the surface
     /// is so slanted that noise hides where it crosses.
     pub weak: bool,
-    /// The point, as an index into the cloud that was sliced.
-    pub source: u32,
 }
 
 /// How far and on which faces points are carried.
@@ -48,7 +48,7 @@ const WEAK_BLUR: f64 = 0.5;
 
 /// The sample of a point `p` (third coordinate: height over the plane), or `None` where the surface runs along the
 /// plane or crosses it too far off.
-pub(crate) fn carry(p: [f64; 3], patch: &Patch, reach: Reach, source: u32) -> Option<Sample> {
+pub(crate) fn carry(p: [f64; 3], patch: &Patch, reach: Reach) -> Option<Sample> {
     let n = patch.normal;
     let sine2 = n[0] * n[0] + n[1] * n[1];
     let sine = sine2.sqrt();
@@ -65,15 +65,16 @@ pub(crate) fn carry(p: [f64; 3], patch: &Patch, reach: Reach, source: u32) -> Op
         let shift = if reach.carry { height * n[2] / sine2 } else { 0.0 };
         [x + shift * n[0], y + shift * n[1]]
     };
+    let drift = [-n[0] * n[2] / sine2, -n[1] * n[2] / sine2];
     let blur = (0.3 * reach.noise + 0.02) / sine;
     Some(Sample {
         raw: down(p[0], p[1], p[2]),
         foot: down(p[0] - off * n[0], p[1] - off * n[1], p[2] - off * n[2]),
         tangent: [-n[1] / sine, n[0] / sine],
+        drift,
         lift,
         spacing: patch.spacing,
         blur,
         weak: blur > WEAK_BLUR || patch.residual > (2.0 * reach.noise + 0.15) * patch.spacing,
-        source,
     })
 }

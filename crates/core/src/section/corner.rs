@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::band::Band;
-use super::link::Vertex;
+use super::chain::Vertex;
 use super::smooth::{Local, regress, spacing_at, width};
 use super::vec2::{along, distance, dot, meet, sub, unit};
 

@@ -3,7 +3,7 @@
 //! Each stretch between corners is cut greedily: from where the last piece ended, the longest line or arc that stays
 //! within the tolerance of every vertex; what neither describes is left to splines.
 
-use super::link::Vertex;
+use super::chain::Vertex;
 use super::primitive::{Line, Round};
 use super::spline::{self, Spline};
 use super::vec2::{along, cross, distance, dot, meet, sub};

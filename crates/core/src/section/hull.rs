@@ -69,7 +69,7 @@ pub(crate) fn positions(region: &[usize], picked: &[usize]) -> Vec<usize> {
 
 fn mean_distance(band: &Band, region: &[usize]) -> f64 {
     let (a, b) = chord(band, region);
-    let sum: f64 = region.iter().map(|&m| onto(a, b, band.marks[m].sample.raw).1).sum();
+    let sum: f64 = region.iter().map(|&m| onto(a, b, band.marks[m].raw).1).sum();
     sum / region.len() as f64
 }
 
@@ -78,7 +78,7 @@ pub(crate) fn farthest(band: &Band, region: &[usize]) -> usize {
     let (a, b) = chord(band, region);
     let mut best = (-1.0, 1);
     for (k, &m) in region.iter().enumerate().take(region.len() - 1).skip(1) {
-        let off = onto(a, b, band.marks[m].sample.raw).1;
+        let off = onto(a, b, band.marks[m].raw).1;
         if off > best.0 {
             best = (off, k);
         }
@@ -88,13 +88,13 @@ pub(crate) fn farthest(band: &Band, region: &[usize]) -> usize {
 
 /// The two feature points a region lies between.
 pub(crate) fn chord(band: &Band, region: &[usize]) -> ([f64; 2], [f64; 2]) {
-    let at = |m: usize| band.marks[m].sample.raw;
+    let at = |m: usize| band.marks[m].raw;
     (at(region[0]), at(region[region.len() - 1]))
 }
 
 /// The marks of a region on its convex hull (Andrew's monotone chain), ties to the lower index.
 pub(crate) fn hull(band: &Band, region: &[usize]) -> Vec<usize> {
-    let at = |m: usize| band.marks[m].sample.raw;
+    let at = |m: usize| band.marks[m].raw;
     let mut order = region.to_vec();
     order.sort_by(|&a, &b| {
         let (p, q) = (at(a), at(b));

@@ -4,7 +4,7 @@
 //! closed contour.
 
 use super::band::Band;
-use super::link::{Chain, Vertex};
+use super::chain::{Chain, Vertex};
 use super::vec2::along;
 
 /// Pull of a knot towards its own feature point: holds knots that no mark lies near.
@@ -12,17 +12,13 @@ const HOLD: f64 = 0.05;
 
 /// The polyline with one vertex for each feature (ascending indices into `band.marks`).
 pub(crate) fn polyline(band: &Band, features: &[usize]) -> Chain {
-    let vertex = |at: [f64; 2], f: usize| Vertex {
-        at,
-        spacing: band.marks[f].sample.spacing,
-        corner: false,
-        weak: false,
-    };
+    let vertex =
+        |at: [f64; 2], f: usize| Vertex { at, spacing: band.marks[f].spacing, corner: false, weak: false };
     let closed = band.chain.closed && features.len() >= 3;
     let mut system = System::new(band, features, closed);
     for (m, mark) in band.marks.iter().enumerate() {
         let next = features.partition_point(|&f| f <= m);
-        system.add(next, mark.arc, mark.sample.raw);
+        system.add(next, mark.arc, mark.raw);
     }
     let solved = system.solve();
     Chain { vertices: solved.iter().zip(features).map(|(&at, &f)| vertex(at, f)).collect(), closed }
@@ -47,7 +43,7 @@ impl System {
             closed,
             diagonal: vec![HOLD; features.len()],
             upper: vec![0.0; features.len()],
-            right: features.iter().map(|f| mark(f).sample.raw.map(|x| HOLD * x)).collect(),
+            right: features.iter().map(|f| mark(f).raw.map(|x| HOLD * x)).collect(),
         }
     }
 

@@ -1,7 +1,6 @@
 //! Which contour lies within which, how they run, and what they enclose.
 
-use super::tree::Tree;
-use super::vec2::{cross, distance, onto};
+use super::vec2::{cross, distance};
 
 /// Area, length and centroid of a polyline.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,29 +84,6 @@ pub(crate) fn contains(polygon: &[[f64; 2]], p: [f64; 2]) -> bool {
         }
     }
     inside
-}
-
-/// Mean and greatest distance from points to a polyline.
-pub(crate) fn apart(points: &[[f64; 2]], line: &[[f64; 2]], closed: bool) -> (f64, f64) {
-    let tree = Tree::new(line);
-    let (mut sum, mut most, mut best) = (0.0, 0.0f64, Vec::new());
-    let n = line.len();
-    for &p in points {
-        tree.nearest(p, 2, &mut best);
-        let mut off = f64::INFINITY;
-        for &(_, i) in &best {
-            let i = i as usize;
-            let before = if i > 0 || closed { Some((i + n - 1) % n) } else { None };
-            let after = if i + 1 < n || closed { Some((i + 1) % n) } else { None };
-            for other in [before, after].into_iter().flatten() {
-                off = off.min(onto(line[i], line[other], p).1);
-            }
-        }
-        let off = if off.is_finite() { off } else { best.first().map_or(0.0, |b| b.0.sqrt()) };
-        sum += off;
-        most = most.max(off);
-    }
-    (sum / points.len().max(1) as f64, most)
 }
 
 #[cfg(test)]

@@ -1,4 +1,7 @@
 //! Samples that agree, thinned to the nodes a contour is linked from.
+//!
+//! Nodes are taken from the samples nearest to the plane first; the samples beside a node that show the same piece
+//! of curve need no node of their own.
 
 use super::carry::Sample;
 use super::tree::Tree;
@@ -20,29 +23,65 @@ pub(crate) struct Node {
 /// Cosine of the largest angle between samples of one piece of curve.
 const ALIKE: f64 = 0.8;
 
-/// Fits a short line to the samples around each, keeps those the surface passes through (samples from both sides of
-/// the plane), and thins them to about 0.7 spacings.
-pub(crate) fn nodes(samples: &[Sample]) -> Vec<Node> {
-    let feet: Vec<[f64; 2]> = samples.iter().map(|s| s.foot).collect();
-    let tree = Tree::new(&feet);
-    let mut found = Vec::new();
-    let fitted: Vec<Option<Node>> = samples.iter().map(|s| agree(samples, &tree, s, &mut found)).collect();
-    let mut order: Vec<u32> = (0..samples.len() as u32).filter(|&i| fitted[i as usize].is_some()).collect();
-    order.sort_by(|&a, &b| {
+/// Nodes about 0.7 spacings apart: a short line fitted to the samples around each, where the surface passes through
+/// (there are samples from both sides of the plane). `tree` holds the feet of the samples.
+pub(crate) fn nodes(samples: &[Sample], tree: &Tree<2>) -> Vec<Node> {
+    let mut order: Vec<u32> = (0..samples.len() as u32).collect();
+    order.sort_unstable_by(|&a, &b| {
         let (s, t) = (&samples[a as usize], &samples[b as usize]);
         s.weak.cmp(&t.weak).then(s.lift.abs().total_cmp(&t.lift.abs())).then(a.cmp(&b))
     });
-    thin(&fitted, &order)
+    let (mut nodes, mut found): (Vec<Node>, Vec<u32>) = (Vec::new(), Vec::new());
+    let mut state = vec![OPEN; samples.len()];
+    for i in order {
+        let s = &samples[i as usize];
+        if state[i as usize] == COVERED {
+            continue;
+        }
+        tree.within(s.foot, 1.8 * s.spacing, &mut found);
+        let Some(node) = agree(samples, s, &found) else { continue };
+        let beside = |&j: &u32| nodes.get(state[j as usize] as usize).is_some_and(|o| o.repeats(&node));
+        if found.iter().any(beside) {
+            continue;
+        }
+        state[i as usize] = nodes.len() as u32;
+        for &j in &found {
+            if state[j as usize] == OPEN && node.covers(&samples[j as usize]) {
+                state[j as usize] = COVERED;
+            }
+        }
+        nodes.push(node);
+    }
+    nodes
 }
 
-fn agree(samples: &[Sample], tree: &Tree<2>, s: &Sample, found: &mut Vec<u32>) -> Option<Node> {
-    tree.within(s.foot, 1.8 * s.spacing, found);
-    found.sort_unstable();
+/// A sample that has no node, and one that needs none; else its state is the index of its node.
+const OPEN: u32 = u32::MAX;
+const COVERED: u32 = u32::MAX - 1;
+
+impl Node {
+    /// Whether another node, of a sample that comes later, shows the same piece of curve.
+    fn repeats(&self, other: &Node) -> bool {
+        let apart = distance(self.at, other.at);
+        let (_, v) = local(self.tangent, self.at, other.at);
+        let alike = dot(other.tangent, self.tangent).abs() >= ALIKE && v.abs() <= 0.4 * self.spacing;
+        apart <= 0.7 * self.spacing && alike || apart <= 0.3 * self.spacing
+    }
+
+    fn covers(&self, s: &Sample) -> bool {
+        let (_, v) = local(self.tangent, self.at, s.foot);
+        let alike = dot(s.tangent, self.tangent).abs() >= ALIKE && v.abs() <= 0.4 * self.spacing;
+        alike && distance(self.at, s.foot) <= 0.7 * self.spacing
+    }
+}
+
+/// The line through the samples found around one that show the same piece of curve.
+fn agree(samples: &[Sample], s: &Sample, found: &[u32]) -> Option<Node> {
     let tolerance = (0.5f64.max(2.0 * s.blur)).min(1.2) * s.spacing;
     let (mut above, mut below, mut count) = (f64::NEG_INFINITY, f64::INFINITY, 0usize);
     let (mut weight, mut sum_u, mut sum_v) = (0.0, 0.0, 0.0);
     let (mut sum_uu, mut sum_uv) = (0.0, 0.0);
-    for &j in found.iter() {
+    for &j in found {
         let o = &samples[j as usize];
         let (u, v) = local(s.tangent, s.foot, o.foot);
         if dot(o.tangent, s.tangent).abs() < ALIKE || v.abs() > tolerance {
@@ -75,28 +114,4 @@ fn agree(samples: &[Sample], tree: &Tree<2>, s: &Sample, found: &mut Vec<u32>) -
         spacing: s.spacing,
         weak: s.weak,
     })
-}
-
-fn thin(fitted: &[Option<Node>], order: &[u32]) -> Vec<Node> {
-    let all: Vec<Node> = order.iter().filter_map(|&i| fitted[i as usize]).collect();
-    let places: Vec<[f64; 2]> = all.iter().map(|n| n.at).collect();
-    let tree = Tree::new(&places);
-    let mut dropped = vec![false; all.len()];
-    let (mut kept, mut found) = (Vec::new(), Vec::new());
-    for (i, node) in all.iter().enumerate() {
-        if dropped[i] {
-            continue;
-        }
-        kept.push(*node);
-        tree.within(node.at, 0.7 * node.spacing, &mut found);
-        for &j in &found {
-            let other = &all[j as usize];
-            let (_, v) = local(node.tangent, node.at, other.at);
-            let alike = dot(other.tangent, node.tangent).abs() >= ALIKE && v.abs() <= 0.4 * node.spacing;
-            if alike || distance(node.at, other.at) <= 0.3 * node.spacing {
-                dropped[j as usize] = true;
-            }
-        }
-    }
-    kept
 }

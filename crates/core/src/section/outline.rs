@@ -2,31 +2,48 @@
 
 use super::band::{self, Band};
 use super::carry::Sample;
-use super::link::{self, Chain};
+use super::chain::Chain;
 use super::params::{Outline, SectionParams, Side};
 use super::surface::Texture;
+use super::tree::Tree;
 use super::vec2::{along, cross, left, sub, unit};
-use super::{hull, lsq, node, smooth, tidy, voronoi};
+use super::{hull, join, link, lsq, node, smooth, tidy, voronoi};
+
+/// One contour of a slab.
+pub(crate) struct Drawn {
+    /// Its outline.
+    pub chain: Chain,
+    /// How fast the wall moves to the right of the outline with growing height: the median over the band.
+    pub growth: f64,
+}
 
 /// The outlines of a slab's contours, longest first.
-pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Texture) -> Vec<Chain> {
-    let nodes = node::nodes(samples);
-    let mut chains: Vec<Chain> = link::contours(&nodes).into_iter().map(tidy::tidy).collect();
-    // The second round gives samples to smooth contours instead of to chains of nodes.
-    for round in 0..2 {
-        let bands = band::assign(samples, chains);
-        let middle = |b: &Band| tidy::tidy(smooth::middle(b, texture.noise));
-        chains = bands.iter().map(middle).filter(|c| c.vertices.len() > 2).collect();
-        if round == 0 {
-            // Smooth ends look the right way, and may now meet.
-            chains = link::rejoin(chains);
-        }
-    }
+pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Texture) -> Vec<Drawn> {
+    let feet: Vec<[f64; 2]> = samples.iter().map(|s| s.foot).collect();
+    let tree = Tree::new(&feet);
+    let nodes = node::nodes(samples, &tree);
+    let chains: Vec<Chain> = join::joined(link::chains(&nodes)).into_iter().map(tidy::tidy).collect();
+    let middle = |b: &Band| tidy::tidy(smooth::middle(b, texture.noise));
+    let rough: Vec<Chain> =
+        band::assign(samples, &tree, chains).iter().map(middle).filter(drawable).collect();
+    // Smooth ends look the right way, and may now meet; then samples go to smooth contours, not to chains of nodes.
+    let bands = band::assign(samples, &tree, join::joined(rough));
+    let smooth: Vec<Chain> = bands.iter().map(middle).collect();
     if params.outline == Outline::Middle && params.side == Side::Middle {
-        return chains;
+        return drawn(&bands, smooth);
     }
-    let bands = band::assign(samples, chains);
-    bands.iter().map(|b| outline(b, params)).filter(|c| c.vertices.len() > 1).collect()
+    let bands = band::assign(samples, &tree, smooth.into_iter().filter(drawable).collect());
+    let outlines = bands.iter().map(|b| outline(b, params)).collect();
+    drawn(&bands, outlines)
+}
+
+fn drawable(chain: &Chain) -> bool {
+    chain.vertices.len() > 2
+}
+
+fn drawn(bands: &[Band], chains: Vec<Chain>) -> Vec<Drawn> {
+    let both = bands.iter().zip(chains).filter(|(_, chain)| drawable(chain));
+    both.map(|(band, chain)| Drawn { growth: band.growth(), chain }).collect()
 }
 
 fn outline(band: &Band, params: &SectionParams) -> Chain {
@@ -49,8 +66,8 @@ fn outline(band: &Band, params: &SectionParams) -> Chain {
 fn threshold(band: &Band) -> f64 {
     let (mut sum, mut spacing) = (0.0, 0.0);
     for mark in &band.marks {
-        sum += super::vec2::distance(band.at(mark.arc), mark.sample.raw);
-        spacing += mark.sample.spacing;
+        sum += super::vec2::distance(band.at(mark.arc), mark.raw);
+        spacing += mark.spacing;
     }
     (2.0 * sum + 0.05 * spacing) / band.marks.len().max(1) as f64
 }
@@ -64,20 +81,20 @@ fn shifted(band: &Band, chain: Chain, side: f64) -> Chain {
     if !chain.closed || band.marks.is_empty() {
         return chain;
     }
-    let points: Vec<[f64; 2]> = chain.vertices.iter().map(|v| v.at).collect();
+    let points: Vec<[f64; 2]> = chain.points();
     let area = super::nest::measure(&points, true).area;
     // Right of a counter-clockwise contour is outside.
     let sign = if area >= 0.0 { -side } else { side };
     let n = points.len();
+    let raw: Vec<[f64; 2]> = band.marks.iter().map(|m| m.raw).collect();
+    let (tree, mut found) = (Tree::new(&raw), Vec::new());
     let mut vertices = chain.vertices;
     for (k, vertex) in vertices.iter_mut().enumerate() {
         let direction = unit(sub(points[(k + 1) % n], points[(k + n - 1) % n]));
         let outward = left(direction).map(|x| x * sign);
-        let off = |s: &Sample| {
-            let d = sub(s.raw, points[k]);
-            cross(direction, d) * sign
-        };
-        let mut offs: Vec<f64> = near(band, points[k], 1.5 * vertex.spacing).iter().map(off).collect();
+        tree.within(points[k], 1.5 * vertex.spacing, &mut found);
+        let off = |&m: &u32| cross(direction, sub(band.marks[m as usize].raw, points[k])) * sign;
+        let mut offs: Vec<f64> = found.iter().map(off).collect();
         if offs.len() >= 3 {
             let at = ((offs.len() - 1) as f64 * (1.0 - BEYOND)) as usize;
             let shift = *offs.select_nth_unstable_by(at, f64::total_cmp).1;
@@ -85,10 +102,4 @@ fn shifted(band: &Band, chain: Chain, side: f64) -> Chain {
         }
     }
     Chain { vertices, closed: true }
-}
-
-/// The samples of a band within a radius of a point of its outline, searched where the nearest mark lies.
-fn near(band: &Band, p: [f64; 2], radius: f64) -> Vec<Sample> {
-    let close = |m: &&band::Mark| super::vec2::distance(m.sample.raw, p) <= radius;
-    band.marks.iter().filter(close).map(|m| m.sample).collect()
 }

@@ -1,8 +1,8 @@
 //! What a section holds.
 
 use super::curve::{self, Piece, Shape};
-use super::link::Chain;
 use super::nest;
+use super::outline::Drawn;
 use super::slice::SliceFrame;
 use crate::curve::BSpline;
 
@@ -66,6 +66,9 @@ pub struct Contour {
     pub area: f64,
     /// Length, world unit.
     pub length: f64,
+    /// Median angle between the wall and the axis, degrees, positive where the contour grows along the axis; `None`
+    /// for open contours.
+    pub draft_deg: Option<f64>,
     /// Centroid of the enclosed area, of the line for an open contour; world frame.
     pub centroid: [f64; 3],
     /// The contour as lines, arcs, circles and splines, end to end; empty unless asked for.
@@ -137,9 +140,8 @@ impl Missing {
 
 /// Orients, nests and measures outlines, and fits curves within `tolerance`; all still in the slice frame, with a
 /// third coordinate of 0.
-pub(crate) fn contours(chains: Vec<Chain>, tolerance: Option<f64>) -> Vec<Contour> {
-    let flat: Vec<(Vec<[f64; 2]>, bool)> =
-        chains.iter().map(|c| (c.vertices.iter().map(|v| v.at).collect(), c.closed)).collect();
+pub(crate) fn contours(drawn: Vec<Drawn>, tolerance: Option<f64>) -> Vec<Contour> {
+    let flat: Vec<(Vec<[f64; 2]>, bool)> = drawn.iter().map(|d| (d.chain.points(), d.chain.closed)).collect();
     let parents = nest::parents(&flat);
     let depth = |mut i: usize| {
         let mut depth = 0;
@@ -149,17 +151,18 @@ pub(crate) fn contours(chains: Vec<Chain>, tolerance: Option<f64>) -> Vec<Contou
         depth
     };
     let depths: Vec<usize> = (0..parents.len()).map(depth).collect();
-    let contour = |(i, chain): (usize, Chain)| contour(chain, parents[i], depths[i], tolerance);
-    chains.into_iter().enumerate().map(contour).collect()
+    let contour = |(i, drawn): (usize, Drawn)| contour(drawn, parents[i], depths[i], tolerance);
+    drawn.into_iter().enumerate().map(contour).collect()
 }
 
-fn contour(mut chain: Chain, parent: Option<usize>, depth: usize, tolerance: Option<f64>) -> Contour {
-    let points = |c: &Chain| c.vertices.iter().map(|v| v.at).collect::<Vec<_>>();
+fn contour(drawn: Drawn, parent: Option<usize>, depth: usize, tolerance: Option<f64>) -> Contour {
+    let Drawn { mut chain, growth } = drawn;
     let wanted = if depth.is_multiple_of(2) { 1.0 } else { -1.0 };
-    if nest::measure(&points(&chain), chain.closed).area * wanted < 0.0 {
+    let turn = nest::measure(&chain.points(), chain.closed).area;
+    if turn * wanted < 0.0 {
         chain.vertices.reverse();
     }
-    let flat = points(&chain);
+    let flat = chain.points();
     let extent = nest::measure(&flat, chain.closed);
     let pieces = tolerance.map_or(Vec::new(), |t| curve::fit(&chain.vertices, chain.closed, t));
     let corners = chain.vertices.iter().enumerate().filter(|(_, v)| v.corner).map(|(k, _)| k).collect();
@@ -171,6 +174,8 @@ fn contour(mut chain: Chain, parent: Option<usize>, depth: usize, tolerance: Opt
         depth,
         area: extent.area,
         length: extent.length,
+        // Right of a counter-clockwise contour is outside.
+        draft_deg: chain.closed.then(|| if turn < 0.0 { -growth } else { growth }.atan().to_degrees()),
         centroid: lift(extent.centroid),
         pieces: pieces.into_iter().map(piece).collect(),
     }

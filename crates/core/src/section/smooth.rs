@@ -1,8 +1,8 @@
 //! The middle of a band: local regression between its corners.
 
 use super::band::Band;
+use super::chain::{Chain, Vertex};
 use super::corner::corners;
-use super::link::{Chain, Vertex};
 use super::vec2::distance;
 
 /// A line fitted to the samples of a stretch of a band: position and direction as functions of the arc.

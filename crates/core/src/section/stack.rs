@@ -5,14 +5,19 @@
 //! flat faces and the last points of its wall between the slices, not from the slices alone.
 
 mod ends;
+mod kinds;
 mod mirror;
 mod profile;
+mod repeats;
 mod runs;
 mod track;
 
 use super::result::Sections;
 use crate::cloud::Cloud;
 use crate::error::Error;
+use crate::frame::{Frame, Localised};
+use crate::neighbors::Index;
+use rayon::prelude::*;
 use runs::Found;
 
 /// What a stack of slices says.
@@ -111,21 +116,30 @@ fn tolerance(sections: &Sections) -> f64 {
     (0.12 + 0.5 * sections.noise) * sections.spacing
 }
 
-/// Names the runs of a stack of sections of `cloud`.
+/// Names the runs of a stack of sections of `cloud`. Where both are wanted,
+/// [`section_and_stack`](crate::section::section_and_stack) sorts the cloud once for both.
 ///
 /// # Errors
-/// What [`Frame::localise`](crate::frame::Frame::localise) refuses.
+/// What [`Frame::localise`] refuses.
 pub fn stack(cloud: &Cloud, sections: &Sections) -> Result<Stack, Error> {
+    let local = Frame::localise(cloud)?;
+    let index = Index::build(&local.positions);
+    Ok(of(&local, &index, sections))
+}
+
+/// [`stack`] of a cloud that is localised and indexed.
+pub(crate) fn of(local: &Localised, index: &Index, sections: &Sections) -> Stack {
     let tolerance = tolerance(sections);
     let levels = profile::levels(sections, tolerance);
     let tracks = track::tracks(&levels);
-    let mut found: Vec<Found> = tracks.iter().flat_map(|t| runs::runs(t, sections, tolerance)).collect();
-    ends::refine(cloud, sections, &mut found)?;
+    let mut found: Vec<Found> =
+        tracks.par_iter().flat_map_iter(|t| runs::runs(t, sections, tolerance)).collect();
+    ends::refine(local, index, sections, &mut found);
     found.sort_by(|a, b| a.run.from.total_cmp(&b.run.from).then_with(|| a.run.contours.cmp(&b.run.contours)));
-    let repeats = runs::repeats(&found, tolerance);
-    Ok(Stack {
+    let repeats = repeats::repeats(&found, tolerance);
+    Stack {
         runs: found.into_iter().map(|f| f.run).collect(),
         mirrors: mirror::mirrors(&levels, sections, tolerance),
         repeats,
-    })
+    }
 }

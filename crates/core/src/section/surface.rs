@@ -1,33 +1,17 @@
 //! The local surface at the points of the slabs: a tangent plane each, its residual, the spacing there, the noise.
 //!
-//! Planes come from a robust fit anchored at the point (so that two sheets of a thin plate keep apart), and a point
-//! beside a crease adopts the plane of a neighbour on its own face (so that a wall stays straight up to its edge).
+//! A point beside a crease adopts the plane of a neighbour on its own face, so that a wall stays straight up to its
+//! edge. Patches stay in the blocks they were made in: a cloud of many points is passed over once.
 
 use rayon::prelude::*;
 
-use super::spread::{self, Spread};
+pub(crate) use super::plane::Patch;
+use super::plane::{Around, FIRST, MOST};
 use crate::math::vec3;
-use crate::neighbors::{self, Found, Index};
+use crate::neighbors::{self, BLOCK, Found, Index};
 
-/// Neighbours a plane is fitted to at first, itself included.
-const FIRST: usize = 12;
-/// Most neighbours of a plane under noise, itself included.
-const MOST: usize = 24;
 /// Points the noise and the spacing of a cloud are read from.
-const SAMPLE: usize = 20_000;
-
-/// A tangent plane with what its fit says.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Patch {
-    /// Weighted mean of the neighbours.
-    pub centre: [f64; 3],
-    /// Unit normal of either sign; zero where the neighbours lie on a line and show no plane.
-    pub normal: [f64; 3],
-    /// Root mean square distance of the neighbours from the plane.
-    pub residual: f64,
-    /// Mean distance to the six nearest points.
-    pub spacing: f64,
-}
+const SAMPLE: usize = 8_000;
 
 /// What a sample of the cloud says of all of it.
 #[derive(Clone, Copy, Debug)]
@@ -42,14 +26,22 @@ pub(crate) struct Texture {
 
 /// The patches of some points of a cloud.
 pub(crate) struct Surface {
-    patches: Vec<Patch>,
-    slots: Vec<u32>,
+    /// `BLOCK` patches each, the last fewer.
+    blocks: Vec<Vec<Patch>>,
+    /// For each point the place of its patch in all blocks; `None`: each point has one, in order.
+    slots: Option<Vec<u32>>,
 }
 
 impl Surface {
     /// The patch at a point that was asked for.
     pub(crate) fn at(&self, point: u32) -> Option<&Patch> {
-        self.patches.get(self.slots[point as usize] as usize)
+        let (block, place) = self.place(point);
+        self.blocks.get(block)?.get(place)
+    }
+
+    fn place(&self, point: u32) -> (usize, usize) {
+        let slot = self.slots.as_ref().map_or(point, |slots| slots[point as usize]) as usize;
+        (slot / BLOCK, slot % BLOCK)
     }
 }
 
@@ -59,7 +51,9 @@ pub(crate) fn texture(points: &[[f64; 3]], index: &Index) -> Texture {
     let sampled: Vec<u32> = (0..points.len() as u32).step_by(step).collect();
     let patches: Vec<Patch> = sampled
         .par_iter()
-        .map_init(Vec::new, |found, &i| plain(points, i, &nearest(points, index, i, FIRST, found)))
+        .map_init(Vec::new, |found, &i| {
+            Around::gather(points, i, &nearest(points, index, i, FIRST, found)).plain()
+        })
         .collect();
     let mut spacings: Vec<f64> = patches.iter().map(|p| p.spacing).filter(|&s| s > 0.0).collect();
     let ratio = |p: &Patch| p.residual / p.spacing;
@@ -97,11 +91,10 @@ struct Block {
 /// Fits the surface at the `wanted` points (ascending) of a cloud.
 pub(crate) fn fit(points: &[[f64; 3]], index: &Index, wanted: &[u32], noise: f64) -> Surface {
     let count = ((12.0 + 50.0 * noise) as usize).clamp(FIRST, MOST);
-    let mut slots = vec![u32::MAX; points.len()];
-    let blocks: Vec<Block> = if wanted.len() * 2 > points.len() {
-        (0..points.len() as u32).for_each(|i| slots[i as usize] = i);
+    let all = wanted.len() * 2 > points.len();
+    let blocks: Vec<Block> = if all {
         let width = (count - 1).min(points.len().saturating_sub(1)).max(1);
-        neighbors::nearest_blocks(points, count - 1, |first, lists| {
+        neighbors::nearest_blocks_in(index, points, count - 1, |first, lists| {
             let mut block = Block::default();
             for (i, ids) in (first as u32..).zip(lists.chunks(width)) {
                 block.push(points, i, ids, noise);
@@ -109,7 +102,6 @@ pub(crate) fn fit(points: &[[f64; 3]], index: &Index, wanted: &[u32], noise: f64
             block
         })
     } else {
-        wanted.iter().enumerate().for_each(|(slot, &i)| slots[i as usize] = slot as u32);
         let visit = |chunk: &[u32]| {
             let (mut block, mut found) = (Block::default(), Vec::new());
             for &i in chunk {
@@ -117,15 +109,21 @@ pub(crate) fn fit(points: &[[f64; 3]], index: &Index, wanted: &[u32], noise: f64
             }
             block
         };
-        wanted.par_chunks(256).map(visit).collect()
+        wanted.par_chunks(BLOCK).map(visit).collect()
     };
+    let slots = (!all).then(|| {
+        let mut slots = vec![u32::MAX; points.len()];
+        wanted.iter().enumerate().for_each(|(slot, &i)| slots[i as usize] = slot as u32);
+        slots
+    });
     adopt_all(points, blocks, slots, noise)
 }
 
 impl Block {
     fn push(&mut self, points: &[[f64; 3]], i: u32, ids: &[u32], noise: f64) {
-        let first = plain(points, i, ids);
-        let patch = anchored(points, i, ids, &first, noise);
+        let mut around = Around::gather(points, i, ids);
+        let first = around.plain();
+        let patch = around.anchored(&first, noise);
         if patch.residual > good(noise) * patch.spacing {
             self.bad.push((i, ids.len() as u32));
             self.near.extend_from_slice(ids);
@@ -139,70 +137,31 @@ fn good(noise: f64) -> f64 {
     1.4 * noise + 0.03
 }
 
-fn plain(points: &[[f64; 3]], i: u32, ids: &[u32]) -> Patch {
-    let own = points[i as usize];
-    let used = &ids[..(FIRST - 1).min(ids.len())];
-    let spread = Spread::of(std::iter::once(&i).chain(used).map(|&j| (points[j as usize], 1.0)), own);
-    let six = &ids[..6.min(ids.len())];
-    let sum: f64 = six.iter().map(|&j| vec3::distance(points[j as usize], own)).sum();
-    patch(&spread, sum / six.len().max(1) as f64)
-}
-
-fn patch(spread: &Spread, spacing: f64) -> Patch {
-    let (least, normal) = spread::normal(&spread.tensor);
-    // Three parameters of a plane are taken from the points.
-    let freedom = (spread.weight - 3.0).max(1.0) / spread.weight.max(1.0);
-    Patch { centre: spread.centre, normal, residual: (least.max(0.0) / freedom).sqrt(), spacing }
-}
-
-/// Two rounds of a fit in which a neighbour counts the less, the farther it is from the plane through the point.
-fn anchored(points: &[[f64; 3]], i: u32, ids: &[u32], first: &Patch, noise: f64) -> Patch {
-    let own = points[i as usize];
-    let reach = (3.0 * noise + 0.3) * first.spacing;
-    if reach <= 0.0 {
-        return *first;
+/// Lets badly fitting points adopt, all from the planes as they were fitted.
+fn adopt_all(points: &[[f64; 3]], blocks: Vec<Block>, slots: Option<Vec<u32>>, noise: f64) -> Surface {
+    let mut own = Surface { blocks: Vec::with_capacity(blocks.len()), slots };
+    let mut bad = Vec::with_capacity(blocks.len());
+    for block in blocks {
+        own.blocks.push(block.patches);
+        bad.push((block.bad, block.near));
     }
-    let mut best = *first;
-    for round in 0..2 {
-        let all_used = round > 0 || ids.len() < FIRST;
-        if all_used && best.residual <= (0.8 * noise + 0.02) * first.spacing {
-            // No neighbour lies off the plane: weights change nothing but the time it takes.
-            break;
-        }
-        let weighted = std::iter::once(&i).chain(ids).map(|&j| {
-            let p = points[j as usize];
-            let off = vec3::dot(vec3::sub(p, own), best.normal) / reach;
-            (p, (-off * off).exp())
-        });
-        let spread = Spread::of(weighted, own);
-        if spread.weight < 5.0 {
-            return best;
-        }
-        best = patch(&spread, first.spacing);
-    }
-    best
-}
-
-fn adopt_all(points: &[[f64; 3]], blocks: Vec<Block>, slots: Vec<u32>, noise: f64) -> Surface {
-    let patches: Vec<Patch> = blocks.iter().flat_map(|b| b.patches.iter().copied()).collect();
-    let own = Surface { patches, slots };
-    let better: Vec<Vec<(u32, Patch)>> = blocks
+    let better: Vec<Vec<(u32, Patch)>> = bad
         .par_iter()
-        .map(|block| {
+        .map(|(bad, near)| {
             let mut start = 0;
             let visit = |&(i, count): &(u32, u32)| {
-                let ids = &block.near[start..start + count as usize];
+                let ids = &near[start..start + count as usize];
                 start += count as usize;
                 adopt(points, &own, i, ids, noise).map(|patch| (i, patch))
             };
-            block.bad.iter().filter_map(visit).collect()
+            bad.iter().filter_map(visit).collect()
         })
         .collect();
-    let Surface { mut patches, slots } = own;
-    for (i, patch) in better.concat() {
-        patches[slots[i as usize] as usize] = patch;
+    for &(i, patch) in better.iter().flatten() {
+        let (block, place) = own.place(i);
+        own.blocks[block][place] = patch;
     }
-    Surface { patches, slots }
+    own
 }
 
 /// The neighbour's plane that holds the point and fits its own neighbours best, if it fits much better.

@@ -1,6 +1,6 @@
 //! Vertices that turn a chain back on itself, or crowd a corner, left out.
 
-use super::link::{Chain, Vertex};
+use super::chain::{Chain, Vertex};
 use super::vec2::{distance, dot, sub};
 
 /// Vertices this close to a corner, in spacings, are left to it: samples of both sides meet there.

@@ -1,35 +1,34 @@
 //! A static k-d tree for the few thousand samples of one slab, in which densities may differ a hundredfold.
 
 /// Points in `D` dimensions under a balanced tree; queries report indices into the slice it was built from.
-pub(crate) struct Tree<'a, const D: usize> {
-    points: &'a [[f64; D]],
-    order: Vec<u32>,
+#[derive(Clone, Debug)]
+pub(crate) struct Tree<const D: usize> {
+    /// Points with their indices, each half of the tree side by side.
+    places: Vec<([f64; D], u32)>,
     splits: Vec<(u8, f64)>,
 }
 
 const LEAF: usize = 8;
 
-impl<'a, const D: usize> Tree<'a, D> {
+impl<const D: usize> Tree<D> {
     /// The tree of finite points. Ties fall to the lower index, so that the same points give the same tree.
-    pub(crate) fn new(points: &'a [[f64; D]]) -> Self {
-        let mut order: Vec<u32> = (0..points.len() as u32).collect();
+    pub(crate) fn new(points: &[[f64; D]]) -> Self {
+        let mut places: Vec<([f64; D], u32)> = points.iter().copied().zip(0..).collect();
         let mut splits = vec![(0u8, 0.0); points.len()];
-        build(points, &mut order, &mut splits);
-        Self { points, order, splits }
+        build(&mut places, &mut splits);
+        Self { places, splits }
     }
 
-    /// Appends to `found` every point within `radius` of `centre`, the border included, in tree order.
+    /// Fills `found` with every point within `radius` of `centre`, the border included, in tree order.
     pub(crate) fn within(&self, centre: [f64; D], radius: f64, found: &mut Vec<u32>) {
         found.clear();
-        if !self.points.is_empty() {
-            self.descend(0, self.order.len(), centre, radius, found);
-        }
+        self.descend(0, self.places.len(), centre, radius, found);
     }
 
     fn descend(&self, low: usize, high: usize, centre: [f64; D], radius: f64, found: &mut Vec<u32>) {
         if high - low <= LEAF {
-            let near = |&i: &u32| distance2(self.points[i as usize], centre) <= radius * radius;
-            found.extend(self.order[low..high].iter().copied().filter(near));
+            let near = |place: &&([f64; D], u32)| distance2(place.0, centre) <= radius * radius;
+            found.extend(self.places[low..high].iter().filter(near).map(|place| place.1));
             return;
         }
         let middle = (low + high) / 2;
@@ -43,24 +42,31 @@ impl<'a, const D: usize> Tree<'a, D> {
         }
     }
 
-    /// Fills `best` with the `k` points nearest to `centre` as (squared distance, index), nearest first.
-    pub(crate) fn nearest(&self, centre: [f64; D], k: usize, best: &mut Vec<(f64, u32)>) {
-        best.clear();
-        if k > 0 && !self.points.is_empty() {
-            self.approach(0, self.order.len(), centre, k, best);
-        }
+    /// The `K` points nearest to `centre` as (squared distance, index), nearest first; infinite distances where there
+    /// are fewer.
+    pub(crate) fn nearest<const K: usize>(&self, centre: [f64; D]) -> [(f64, u32); K] {
+        let mut best = [(f64::INFINITY, u32::MAX); K];
+        self.approach(0, self.places.len(), centre, &mut best);
+        best
     }
 
-    fn approach(&self, low: usize, high: usize, centre: [f64; D], k: usize, best: &mut Vec<(f64, u32)>) {
+    fn approach<const K: usize>(
+        &self,
+        low: usize,
+        high: usize,
+        centre: [f64; D],
+        best: &mut [(f64, u32); K],
+    ) {
         if high - low <= LEAF {
-            for &i in &self.order[low..high] {
-                let key = (distance2(self.points[i as usize], centre), i);
-                if best.len() == k && key >= best[k - 1] {
-                    continue;
+            for &(point, i) in &self.places[low..high] {
+                let mut key = (distance2(point, centre), i);
+                if key < best[K - 1] {
+                    for slot in best.iter_mut() {
+                        if key < *slot {
+                            std::mem::swap(slot, &mut key);
+                        }
+                    }
                 }
-                best.truncate(k - 1);
-                let at = best.partition_point(|b| *b < key);
-                best.insert(at, key);
             }
             return;
         }
@@ -69,46 +75,38 @@ impl<'a, const D: usize> Tree<'a, D> {
         let gap = centre[axis as usize] - split;
         let halves = [(low, middle), (middle, high)];
         let (first, second) = if gap < 0.0 { (halves[0], halves[1]) } else { (halves[1], halves[0]) };
-        self.approach(first.0, first.1, centre, k, best);
-        if best.len() < k || gap * gap <= best[best.len() - 1].0 {
-            self.approach(second.0, second.1, centre, k, best);
+        self.approach(first.0, first.1, centre, best);
+        if gap * gap <= best[K - 1].0 {
+            self.approach(second.0, second.1, centre, best);
         }
     }
 }
 
-fn build<const D: usize>(points: &[[f64; D]], order: &mut [u32], splits: &mut [(u8, f64)]) {
-    if order.len() <= LEAF {
+fn build<const D: usize>(places: &mut [([f64; D], u32)], splits: &mut [(u8, f64)]) {
+    if places.len() <= LEAF {
         return;
     }
-    let axis = widest(points, order);
-    let middle = order.len() / 2;
-    order.select_nth_unstable_by(middle, |&a, &b| {
-        points[a as usize][axis].total_cmp(&points[b as usize][axis]).then(a.cmp(&b))
-    });
-    splits[middle] = (axis as u8, points[order[middle] as usize][axis]);
-    let (left, right) = order.split_at_mut(middle);
+    let axis = widest(places);
+    let middle = places.len() / 2;
+    places.select_nth_unstable_by(middle, |a, b| a.0[axis].total_cmp(&b.0[axis]).then(a.1.cmp(&b.1)));
+    splits[middle] = (axis as u8, places[middle].0[axis]);
+    let (left, right) = places.split_at_mut(middle);
     let (left_splits, right_splits) = splits.split_at_mut(middle);
-    build(points, left, left_splits);
+    build(left, left_splits);
     // The slot of a split is the first of its right half, where no later split falls.
-    build(points, right, right_splits);
+    build(right, right_splits);
 }
 
-fn widest<const D: usize>(points: &[[f64; D]], order: &[u32]) -> usize {
-    let extent = |axis: usize| {
-        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for &i in order {
-            low = low.min(points[i as usize][axis]);
-            high = high.max(points[i as usize][axis]);
-        }
-        high - low
-    };
-    let mut best = 0;
-    for axis in 1..D {
-        if extent(axis) > extent(best) {
-            best = axis;
+fn widest<const D: usize>(places: &[([f64; D], u32)]) -> usize {
+    let (mut low, mut high) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D]);
+    for (point, _) in places {
+        for axis in 0..D {
+            low[axis] = low[axis].min(point[axis]);
+            high[axis] = high[axis].max(point[axis]);
         }
     }
-    best
+    let extent = |axis: usize| high[axis] - low[axis];
+    (1..D).fold(0, |best, axis| if extent(axis) > extent(best) { axis } else { best })
 }
 
 fn distance2<const D: usize>(a: [f64; D], b: [f64; D]) -> f64 {
@@ -128,18 +126,18 @@ mod tests {
         let points: Vec<[f64; 2]> =
             (0..500u64).map(|i| [(i * 7919 % 101) as f64, (i * 104_729 % 97) as f64]).collect();
         let tree = Tree::new(&points);
-        let (mut best, mut found) = (Vec::new(), Vec::new());
+        let mut found = Vec::new();
         for &centre in points.iter().step_by(17) {
             let mut all: Vec<(f64, u32)> =
                 points.iter().enumerate().map(|(i, &p)| (distance2(p, centre), i as u32)).collect();
             all.sort_by(|a, b| a.partial_cmp(b).unwrap());
-            tree.nearest(centre, 9, &mut best);
-            assert_eq!(best, all[..9]);
+            assert_eq!(tree.nearest::<9>(centre), all[..9]);
             tree.within(centre, 11.0, &mut found);
             found.sort_unstable();
             let mut near: Vec<u32> = all.iter().filter(|a| a.0 <= 121.0).map(|a| a.1).collect();
             near.sort_unstable();
             assert_eq!(found, near);
         }
+        assert_eq!(Tree::<2>::new(&[]).nearest::<2>([0.0; 2]), [(f64::INFINITY, u32::MAX); 2]);
     }
 }

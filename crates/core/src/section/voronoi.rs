@@ -41,17 +41,17 @@ fn circle(band: &Band, region: &[usize], bound: f64) -> Vec<usize> {
     let (a, b) = chord(band, region);
     let axis = unit(sub(b, a));
     let sites = region.iter().map(|&mark| {
-        let [x, y] = sub(band.marks[mark].sample.raw, a);
+        let [x, y] = sub(band.marks[mark].raw, a);
         Site { position: Point2::new(settled(x), settled(y)), mark }
     });
     let Ok(diagram) = DelaunayTriangulation::<Site>::bulk_load_stable(sites.collect()) else {
         return Vec::new();
     };
-    let offs = region.iter().map(|&m| cross(axis, sub(band.marks[m].sample.raw, a)));
+    let offs = region.iter().map(|&m| cross(axis, sub(band.marks[m].raw, a)));
     // The points' own side of the chord; circles are sought on the other.
     let own = if offs.sum::<f64>() >= 0.0 { 1.0 } else { -1.0 };
     let deepest = region[farthest(band, region)];
-    let limit = bound * onto(a, b, band.marks[deepest].sample.raw).1;
+    let limit = bound * onto(a, b, band.marks[deepest].raw).1;
     let mut best: Option<(f64, [usize; 3])> = None;
     for face in diagram.inner_faces() {
         let centre = face.circumcenter();

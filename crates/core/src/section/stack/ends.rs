@@ -1,15 +1,14 @@
 //! Where a run begins and ends: at a flat face across the axis beside its outline, or else at the last points of its
 //! wall. Both lie between two slices, and are found in the points there.
 
+use rayon::prelude::*;
+
 use super::super::result::Sections;
-use super::super::surface::{self, Patch};
-use super::super::tree::Tree;
-use super::super::vec2::onto;
+use super::super::surface::{self, Surface};
 use super::profile::Profile;
 use super::runs::Found;
-use crate::cloud::Cloud;
-use crate::error::Error;
-use crate::frame::Frame;
+use crate::frame::Localised;
+use crate::math::vec3;
 use crate::neighbors::Index;
 
 /// Cosine of the angle between a flat face's normal and the axis: 15 degrees.
@@ -24,92 +23,125 @@ const BESIDE: f64 = 4.0;
 struct Spot {
     at: [f64; 2],
     height: f64,
-    flat: bool,
+    /// In the local cloud.
+    index: u32,
+}
+
+/// A point beside an outline: its height, its distance from the outline, whether it lies on a face across the axis.
+type Beside = (f64, f64, bool);
+
+/// An end of a run that is looked for beside an outline between two heights, the first at the run's own slice.
+struct Search<'a> {
+    outline: &'a Profile,
+    inner: f64,
+    outer: f64,
 }
 
 /// Sets `from`, `to` and `range_error` of every run from the points between its slices and those just outside.
-pub(super) fn refine(cloud: &Cloud, sections: &Sections, runs: &mut [Found]) -> Result<(), Error> {
-    if runs.is_empty() {
-        return Ok(());
+pub(super) fn refine(local: &Localised, index: &Index, sections: &Sections, runs: &mut [Found]) {
+    let searches: Vec<[Search; 2]> = runs.iter().map(|r| searches(r, sections)).collect();
+    let flat: Vec<&Search> = searches.iter().flatten().collect();
+    let spots = spots(local, sections, &flat);
+    let near: Vec<Vec<(Spot, f64)>> = flat.par_iter().map(|s| beside(&spots, s, sections.spacing)).collect();
+    let faces = Faces::new(local, index, sections, &near);
+    let ends: Vec<Option<(f64, f64)>> = flat
+        .par_iter()
+        .zip(&near)
+        .map(|(search, near)| {
+            let mut beside: Vec<Beside> =
+                near.iter().map(|(s, off)| (s.height, *off, faces.hold(s.index))).collect();
+            if search.outer < search.inner {
+                beside.reverse();
+            }
+            let (h, noise) = (sections.spacing, sections.noise);
+            face(&beside, h, noise).or_else(|| wall(&beside, h, noise))
+        })
+        .collect();
+    for (found, ends) in runs.iter_mut().zip(ends.chunks(2)) {
+        let run = &mut found.run;
+        (run.from, run.range_error[0]) = ends[0].unwrap_or((run.from, run.range_error[0]));
+        (run.to, run.range_error[1]) = ends[1].unwrap_or((run.to, run.range_error[1]));
     }
-    let spots = spots(cloud, sections)?;
+}
+
+fn searches<'a>(Found { run, profiles }: &Found<'a>, sections: &Sections) -> [Search<'a>; 2] {
     // A slice within a spacing of a face may not show the outline whole: the face then lies past that slice.
     let past = sections.spacing;
-    for Found { run, profiles } in runs.iter_mut() {
-        let [low, _, high] = *profiles;
-        let (first, last) = (low.height, high.height);
-        // Beyond the outermost slice the cloud may go on for any length: its end bounds the search.
-        let below =
-            if run.range_error[0].is_finite() { 2.0 * run.from - first - past } else { f64::NEG_INFINITY };
-        let above = if run.range_error[1].is_finite() { 2.0 * run.to - last + past } else { f64::INFINITY };
-        let down = end(&spots, low, sections, first, below);
-        let up = end(&spots, high, sections, last, above);
-        (run.from, run.range_error[0]) = down.unwrap_or((run.from, run.range_error[0]));
-        (run.to, run.range_error[1]) = up.unwrap_or((run.to, run.range_error[1]));
+    let [low, _, high] = *profiles;
+    let (first, last) = (low.height, high.height);
+    // Beyond the outermost slice the cloud may go on for any length: its end bounds the search.
+    let below =
+        if run.range_error[0].is_finite() { 2.0 * run.from - first - past } else { f64::NEG_INFINITY };
+    let above = if run.range_error[1].is_finite() { 2.0 * run.to - last + past } else { f64::INFINITY };
+    [Search { outline: low, inner: first, outer: below }, Search { outline: high, inner: last, outer: above }]
+}
+
+impl Search<'_> {
+    fn range(&self) -> (f64, f64) {
+        (self.inner.min(self.outer), self.inner.max(self.outer))
     }
-    Ok(())
 }
 
-/// All points, ascending by height.
-fn spots(cloud: &Cloud, sections: &Sections) -> Result<Vec<Spot>, Error> {
-    let local = Frame::localise(cloud)?;
-    let index = Index::build(&local.positions);
-    let all: Vec<u32> = (0..local.positions.len() as u32).collect();
-    let surface = surface::fit(&local.positions, &index, &all, sections.noise);
-    let axis = sections.frame.axes[2];
-    let flat = |p: &Patch| {
-        let along: f64 = (0..3).map(|k| p.normal[k] * axis[k]).sum();
-        along.abs() >= FLAT && p.residual <= (2.0 * sections.noise + 0.15) * p.spacing
-    };
-    let spot = |i: u32| {
-        let [x, y, height] = sections.frame.coordinates(local.frame.to_world(local.positions[i as usize]));
-        Spot { at: [x, y], height, flat: surface.at(i).is_some_and(flat) }
-    };
-    let mut spots: Vec<Spot> = all.into_iter().map(spot).collect();
-    spots.sort_by(|a, b| {
-        let key = |s: &Spot| [s.height, s.at[0], s.at[1]];
-        let (p, q) = (key(a), key(b));
-        p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1])).then(p[2].total_cmp(&q[2]))
+/// The points at heights that are searched, ascending.
+fn spots(local: &Localised, sections: &Sections, searches: &[&Search]) -> Vec<Spot> {
+    let mut ranges: Vec<(f64, f64)> = searches.iter().map(|s| s.range()).collect();
+    ranges.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    ranges.dedup_by(|next, kept| {
+        let joins = next.0 <= kept.1;
+        kept.1 = if joins { kept.1.max(next.1) } else { kept.1 };
+        joins
     });
-    Ok(spots)
+    let spot = |(index, p): (usize, &[f64; 3])| {
+        let [x, y, height] = sections.frame.coordinates(local.frame.to_world(*p));
+        let k = ranges.partition_point(|r| r.1 < height);
+        let searched = ranges.get(k).is_some_and(|r| r.0 <= height);
+        searched.then_some(Spot { at: [x, y], height, index: index as u32 })
+    };
+    let mut spots: Vec<Spot> = local.positions.par_iter().enumerate().filter_map(spot).collect();
+    spots.par_sort_unstable_by(|a, b| a.height.total_cmp(&b.height).then(a.index.cmp(&b.index)));
+    spots
 }
 
-/// Where the wall of an outline ends between the slice at `inner` and the height `outer`, and how surely.
-fn end(spots: &[Spot], outline: &Profile, sections: &Sections, inner: f64, outer: f64) -> Option<(f64, f64)> {
-    let up = outer > inner;
-    let (low, high) = if up { (inner, outer) } else { (outer, inner) };
+/// The points of a search that lie beside its outline, ascending by height, with their distances.
+fn beside(spots: &[Spot], search: &Search, h: f64) -> Vec<(Spot, f64)> {
+    let (low, high) = search.range();
     let from = spots.partition_point(|s| s.height < low);
     let to = spots.partition_point(|s| s.height <= high);
-    let tree = Tree::new(&outline.points);
-    let h = sections.spacing;
-    let mut best = Vec::new();
-    let mut beside: Vec<(f64, f64, bool)> = Vec::new();
-    for s in &spots[from..to] {
-        let off = distance(&tree, outline, s.at, &mut best);
-        if off <= BESIDE * h {
-            beside.push((s.height, off, s.flat));
-        }
-    }
-    if up {
-        face(beside.iter(), h, sections.noise).or_else(|| wall(beside.iter(), h, sections.noise))
-    } else {
-        face(beside.iter().rev(), h, sections.noise).or_else(|| wall(beside.iter().rev(), h, sections.noise))
-    }
+    let near = |s: &Spot| {
+        let off = search.outline.outline.off(s.at);
+        (off <= BESIDE * h).then_some((*s, off))
+    };
+    spots[from..to].iter().filter_map(near).collect()
 }
 
-fn distance(tree: &Tree<2>, outline: &Profile, p: [f64; 2], best: &mut Vec<(f64, u32)>) -> f64 {
-    tree.nearest(p, 1, best);
-    let Some(&(_, k)) = best.first() else { return f64::INFINITY };
-    let (n, k) = (outline.points.len(), k as usize);
-    let at = |k: usize| outline.points[k % n];
-    onto(at(k + n - 1), at(k), p).1.min(onto(at(k), at(k + 1), p).1)
+/// Which points lie on faces across the axis.
+struct Faces<'a> {
+    sections: &'a Sections,
+    surface: Surface,
+}
+
+impl<'a> Faces<'a> {
+    fn new(local: &Localised, index: &Index, sections: &'a Sections, near: &[Vec<(Spot, f64)>]) -> Self {
+        let mut wanted: Vec<u32> = near.iter().flatten().map(|(s, _)| s.index).collect();
+        wanted.sort_unstable();
+        wanted.dedup();
+        Self { sections, surface: surface::fit(&local.positions, index, &wanted, sections.noise) }
+    }
+
+    fn hold(&self, point: u32) -> bool {
+        let axis = self.sections.frame.axes[2];
+        self.surface.at(point).is_some_and(|p| {
+            let fits = p.residual <= (2.0 * self.sections.noise + 0.15) * p.spacing;
+            fits && vec3::dot(p.normal, axis).abs() >= FLAT
+        })
+    }
 }
 
 /// The first flat face met going away from the slice: a cluster of heights without a gap of half a spacing.
-fn face<'a>(beside: impl Iterator<Item = &'a (f64, f64, bool)>, h: f64, noise: f64) -> Option<(f64, f64)> {
+fn face(beside: &[Beside], h: f64, noise: f64) -> Option<(f64, f64)> {
     let gap = (0.25 + noise) * h;
     let mut cluster: Vec<f64> = Vec::new();
-    for &(height, _, _) in beside.filter(|b| b.2) {
+    for &(height, _, _) in beside.iter().filter(|b| b.2) {
         if cluster.last().is_some_and(|&last| (height - last).abs() > gap) {
             if let Some(found) = settled(&cluster, h, noise) {
                 return Some(found);
@@ -135,9 +167,10 @@ fn settled(cluster: &[f64], h: f64, noise: f64) -> Option<(f64, f64)> {
 }
 
 /// The last point of the wall, a little back for the noise.
-fn wall<'a>(beside: impl Iterator<Item = &'a (f64, f64, bool)>, h: f64, noise: f64) -> Option<(f64, f64)> {
-    let near: Vec<f64> = beside.filter(|b| b.1 <= (0.5 + 2.0 * noise) * h && !b.2).map(|b| b.0).collect();
-    let (first, last) = (near.first()?, near.last()?);
+fn wall(beside: &[Beside], h: f64, noise: f64) -> Option<(f64, f64)> {
+    let mut near = beside.iter().filter(|b| b.1 <= (0.5 + 2.0 * noise) * h && !b.2).map(|b| b.0);
+    let first = near.next()?;
+    let last = near.next_back().unwrap_or(first);
     let back = 2.0 * noise * h * (last - first).signum();
     Some((last - back, (0.3 + noise) * h))
 }

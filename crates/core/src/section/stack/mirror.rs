@@ -1,42 +1,40 @@
 //! Mirror planes along the axis: through the centroid of the whole stack, at the angles for which the contours lie on
 //! their own images.
 
+use rayon::prelude::*;
+
 use super::super::result::Sections;
-use super::super::tree::Tree;
-use super::super::vec2::{along, dot, left, onto, sub};
+use super::super::vec2::{along, distance, dot, left, sub};
 use super::Mirror;
 use super::profile::Profile;
 use crate::math::vec3;
 
 /// Angles looked at first, over half a turn.
 const ANGLES: usize = 180;
-/// Points of a contour that are mirrored.
-const POINTS: usize = 96;
+/// Slices that mirrors are sought in at first, and points of each of their contours.
+const FEW: (usize, usize) = (8, 64);
+/// Points of a contour that are mirrored to be sure.
+const POINTS: usize = 256;
 /// Most mirrors told: a round stack has any number.
 const MOST: usize = 16;
 
-/// The mirrors of a stack of closed contours; none where all are circles about one point.
+/// The mirrors of a stack of closed contours; none where all are circles about one point. Sought in a few slices, and
+/// held against all.
 pub(super) fn mirrors(levels: &[Vec<Profile>], sections: &Sections, tolerance: f64) -> Vec<Mirror> {
     let all: Vec<&Profile> = levels.iter().flatten().collect();
-    let planes = levels.iter().filter(|l| !l.is_empty()).count();
+    let filled: Vec<&[Profile]> = levels.iter().map(Vec::as_slice).filter(|l| !l.is_empty()).collect();
     let Some(centre) = centroid(&all) else { return Vec::new() };
-    if planes < 2 || concentric(&all, tolerance) {
+    if filled.len() < 2 || concentric(&all, tolerance) {
         return Vec::new();
     }
-    let trees: Vec<Tree<2>> = all.iter().map(|p| Tree::new(&p.points)).collect();
-    let off = |angle: f64| levels_off(&all, &trees, centre, angle, 1.5 * tolerance);
-    let step = std::f64::consts::PI / ANGLES as f64;
-    let coarse: Vec<f64> = (0..ANGLES).map(|k| off(k as f64 * step)).collect();
-    let mut found = Vec::new();
-    for k in 0..ANGLES {
-        let (before, after) = (coarse[(k + ANGLES - 1) % ANGLES], coarse[(k + 1) % ANGLES]);
-        if coarse[k] < before && coarse[k] <= after {
-            let (angle, residual) = least(&off, k as f64 * step, step);
-            if residual <= 1.5 * tolerance {
-                found.push((residual, angle));
-            }
-        }
-    }
+    let enough = 1.5 * tolerance;
+    let few: Vec<&[Profile]> = filled.iter().copied().step_by(filled.len().div_ceil(FEW.0)).collect();
+    let off = |angle: f64| worst(&few, centre, angle, FEW.1, 20.0 * enough);
+    let sure = |angle: f64| {
+        let residual = worst(&filled, centre, angle, POINTS, enough);
+        (residual <= enough).then_some((residual, angle))
+    };
+    let mut found: Vec<(f64, f64)> = candidates(&off, enough).into_par_iter().filter_map(sure).collect();
     found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
     found.truncate(MOST);
     let mirror = |(residual, angle): (f64, f64)| {
@@ -44,11 +42,25 @@ pub(super) fn mirrors(levels: &[Vec<Profile>], sections: &Sections, tolerance: f
         Mirror {
             point: sections.frame.vector([centre[0], centre[1], all[0].height]),
             normal: vec3::unit(sections.frame.vector([normal[0], normal[1], 0.0])),
-            planes,
+            planes: filled.len(),
             residual,
         }
     };
     found.into_iter().map(mirror).collect()
+}
+
+/// The angles at which mirrored contours come nearest, and near enough.
+fn candidates(off: &(impl Fn(f64) -> f64 + Sync), enough: f64) -> Vec<f64> {
+    let step = std::f64::consts::PI / ANGLES as f64;
+    let coarse: Vec<f64> = (0..ANGLES).into_par_iter().map(|k| off(k as f64 * step)).collect();
+    let lowest = |k: &usize| {
+        let (before, after) = (coarse[(k + ANGLES - 1) % ANGLES], coarse[(k + 1) % ANGLES]);
+        coarse[*k] < before && coarse[*k] <= after
+    };
+    let lows: Vec<usize> = (0..ANGLES).filter(lowest).collect();
+    let fine = |k: usize| least(off, k as f64 * step, step);
+    let near = lows.into_par_iter().map(fine).filter(|(_, residual)| *residual <= 1.5 * enough);
+    near.map(|(angle, _)| angle).collect()
 }
 
 /// Centroid of the area of all slices, holes taken off: a mirror must hold it.
@@ -61,45 +73,33 @@ fn centroid(all: &[&Profile]) -> Option<[f64; 2]> {
 
 fn concentric(all: &[&Profile], tolerance: f64) -> bool {
     let rounds: Option<Vec<_>> = all.iter().map(|p| p.round.map(|r| r.centre)).collect();
-    rounds.is_some_and(|c| c.iter().all(|&p| super::super::vec2::distance(p, c[0]) <= 2.0 * tolerance))
+    rounds.is_some_and(|c| c.iter().all(|&p| distance(p, c[0]) <= 2.0 * tolerance))
 }
 
-/// Greatest over the contours of the mean distance of mirrored points from the contours of the same slice.
-fn levels_off(all: &[&Profile], trees: &[Tree<2>], centre: [f64; 2], angle: f64, enough: f64) -> f64 {
+/// Greatest over the contours of the mean distance of mirrored points from the contours of the same slice; what is found
+/// so far once it is beyond `enough`.
+fn worst(levels: &[&[Profile]], centre: [f64; 2], angle: f64, points: usize, enough: f64) -> f64 {
     let direction = [angle.cos(), angle.sin()];
+    let image = |p: [f64; 2]| {
+        let d = sub(p, centre);
+        let turned = along([0.0; 2], direction, 2.0 * dot(d, direction));
+        along(centre, sub(turned, d), 1.0)
+    };
     let mut worst = 0.0f64;
-    for profile in all {
-        let step = profile.points.len().div_ceil(POINTS).max(1);
-        let images = profile.points.iter().step_by(step).map(|&p| {
-            let d = sub(p, centre);
-            let turned = along([0.0; 2], direction, 2.0 * dot(d, direction));
-            along(centre, sub(turned, d), 1.0)
-        });
+    for (level, profile) in levels.iter().flat_map(|level| level.iter().map(move |p| (level, p))) {
+        let alike = || level.iter().filter(|o| o.hole == profile.hole);
         let (mut sum, mut count) = (0.0, 0.0);
-        for image in images {
-            sum += nearest(all, trees, profile, image);
+        for p in profile.some(points) {
+            let at = image(p);
+            sum += alike().map(|o| o.outline.off(at)).fold(f64::INFINITY, f64::min);
             count += 1.0;
         }
         worst = worst.max(sum / count);
-        if worst > 20.0 * enough {
+        if worst > enough {
             break;
         }
     }
     worst
-}
-
-fn nearest(all: &[&Profile], trees: &[Tree<2>], of: &Profile, p: [f64; 2]) -> f64 {
-    let mut best = f64::INFINITY;
-    let mut found = Vec::new();
-    let same = all.iter().zip(trees).filter(|(o, _)| o.id.0 == of.id.0 && o.hole == of.hole);
-    for (other, tree) in same {
-        tree.nearest(p, 1, &mut found);
-        let Some(&(_, k)) = found.first() else { continue };
-        let (n, k) = (other.points.len(), k as usize);
-        let at = |k: usize| other.points[k % n];
-        best = best.min(onto(at(k + n - 1), at(k), p).1).min(onto(at(k), at(k + 1), p).1);
-    }
-    best
 }
 
 /// The angle of least residual near one, by golden section.

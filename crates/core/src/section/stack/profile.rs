@@ -1,9 +1,13 @@
 //! Closed contours in the coordinates of the slices, measured for comparison.
 
 use super::super::nest;
+use super::super::polyline::Polyline;
 use super::super::primitive::Round;
 use super::super::result::Sections;
 use super::super::vec2::{along, sub};
+
+/// Most points of a contour that comparisons look at, about evenly along it.
+const POINTS: usize = 512;
 
 /// A closed contour as the stack compares it; lengths in world units.
 #[derive(Clone, Debug)]
@@ -13,7 +17,7 @@ pub(super) struct Profile {
     /// Along the axis.
     pub height: f64,
     /// In the slice frame.
-    pub points: Vec<[f64; 2]>,
+    pub outline: Polyline,
     /// Whether it is a hole.
     pub hole: bool,
     /// Positive.
@@ -26,7 +30,21 @@ pub(super) struct Profile {
     pub centroid: [f64; 2],
     /// The circle it is, if it is one.
     pub round: Option<Round>,
+    /// Median angle between the wall and the axis, degrees.
+    pub draft_deg: f64,
 }
+
+/// How far two outlines lie apart.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Apart {
+    /// Mean distance, the larger of both ways.
+    pub mean: f64,
+    /// A distance that some stretch of an outline keeps throughout.
+    pub stretch: f64,
+}
+
+/// Neighbouring points of a comparison that make a stretch: one alone may be a rounded corner.
+const STRETCH: usize = 4;
 
 /// The closed contours of each plane, planes ascending by height.
 pub(super) fn levels(sections: &Sections, tolerance: f64) -> Vec<Vec<Profile>> {
@@ -56,7 +74,8 @@ fn profile(sections: &Sections, plane: usize, index: usize, tolerance: f64) -> P
         length: extent.length,
         centroid: extent.centroid,
         round: round(&points, tolerance),
-        points,
+        draft_deg: contour.draft_deg.unwrap_or(0.0),
+        outline: Polyline::new(points, true),
     }
 }
 
@@ -71,15 +90,54 @@ fn round(points: &[[f64; 2]], tolerance: f64) -> Option<Round> {
 }
 
 impl Profile {
-    /// Mean distance of the two outlines from each other, the second moved by `shift`, the larger of both ways.
-    pub(super) fn apart(&self, other: &Profile, shift: [f64; 2]) -> f64 {
-        let moved: Vec<[f64; 2]> = other.points.iter().map(|&p| along(p, shift, 1.0)).collect();
-        let there = nest::apart(&self.points, &moved, true).0;
-        there.max(nest::apart(&moved, &self.points, true).0)
+    /// At most about `most` of its points, evenly.
+    pub(super) fn some(&self, most: usize) -> impl Iterator<Item = [f64; 2]> {
+        let points = self.outline.points();
+        points.iter().step_by(points.len().div_ceil(most).max(1)).copied()
+    }
+
+    /// How far the two outlines lie apart, the second moved by `shift`.
+    pub(super) fn apart(&self, other: &Profile, shift: [f64; 2]) -> Apart {
+        let back = shift.map(|x| -x);
+        let there = apart(self.some(POINTS).map(|p| other.outline.off(along(p, back, 1.0))));
+        let here = apart(other.some(POINTS).map(|p| self.outline.off(along(p, shift, 1.0))));
+        Apart { mean: there.mean.max(here.mean), stretch: there.stretch.max(here.stretch) }
     }
 
     /// The shift that lays another profile's centroid on this one's.
     pub(super) fn onto(&self, other: &Profile) -> [f64; 2] {
         sub(self.centroid, other.centroid)
     }
+
+    /// How far the wall lies out from that of `low`, on average: the area between them over their mean length.
+    pub(super) fn beyond(&self, low: &Profile) -> f64 {
+        2.0 * (self.area - low.area) / (self.length + low.length)
+    }
+
+    /// Points of the outline, for a comparison.
+    pub(super) fn sample(&self) -> impl Iterator<Item = [f64; 2]> {
+        self.some(POINTS)
+    }
 }
+
+fn apart(offs: impl Iterator<Item = f64>) -> Apart {
+    let (mut sum, mut count, mut stretch) = (0.0, 0.0, 0.0f64);
+    let mut last = [0.0; STRETCH];
+    for (k, off) in offs.enumerate() {
+        last[k % STRETCH] = off;
+        sum += off;
+        count += 1.0;
+        stretch = stretch.max(last.iter().copied().fold(f64::INFINITY, f64::min));
+    }
+    Apart { mean: if count > 0.0 { sum / count } else { 0.0 }, stretch }
+}
+
+impl Apart {
+    /// Whether outlines so far apart are one within the tolerance, nowhere changed.
+    pub(super) fn same(&self, tolerance: f64) -> bool {
+        self.mean <= tolerance && self.stretch <= CHANGED * tolerance
+    }
+}
+
+/// A stretch this far off, in tolerances, is a change of the outline, however small its share.
+const CHANGED: f64 = 5.0;

@@ -60,7 +60,8 @@ fn strip(out: &mut dyn Write, id: usize, (plane, index, c): &(usize, usize, &Con
         None => write!(out, "\"parent\": null, ")?,
     }
     write!(out, "\"depth\": {}, \"area\": {}, ", c.depth, Number(c.area))?;
-    write!(out, "\"length\": {}, \"centroid\": {}, ", Number(c.length), Point(&c.centroid))?;
+    write!(out, "\"length\": {}, \"draft_deg\": ", Number(c.length))?;
+    write!(out, "{}, \"centroid\": {}, ", Number(c.draft_deg.unwrap_or(f64::NAN)), Point(&c.centroid))?;
     write!(out, "\"points\": [")?;
     list(out, &c.points, |out, _, point| write!(out, "{}", Point(point)))?;
     write!(out, "], \"corners\": [")?;
