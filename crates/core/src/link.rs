@@ -58,6 +58,9 @@ pub fn reach(params: &SpanningParams, form: PenaltyForm, points: usize) -> Reach
     }
 }
 
+/// Once ends have been led on, longer branches are spurs than before: what was a line has found its other end.
+const SPURS: f64 = 1.6;
+
 /// Links the candidates of both kinds into a pattern (Gumhold 2001, sections 3.2 and 3.3).
 pub fn link(
     graph: &Neighbors,
@@ -76,7 +79,7 @@ pub fn link(
         if reach.openness > 0.0 {
             judge(&mut lines, resolution, reach);
             bridge(&mut lines, kind, resolution);
-            prune(&mut lines, resolution, reach);
+            prune(&mut lines, resolution, Reach { rho: SPURS * reach.rho, ..reach });
             corners(&mut lines, kind, resolution);
         }
         lines

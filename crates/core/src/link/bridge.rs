@@ -23,11 +23,14 @@ const TOUCHING_LAST: [f64; 2] = [3.5, 10.0];
 const LOOP_TO_GAP: f64 = 3.0;
 /// Length of strip that an end's direction is taken from, spacings.
 const TANGENT: f64 = 4.0;
-/// How far ahead of an end it may run into a strip, spacings, and how far aside it may look, degrees.
-const INTO_STRIP: (f64, f64) = (3.5, 50.0);
+/// In which rounds ends may run into a strip ahead of them, how far, spacings, and how far aside they may look, degrees. None
+/// is led on by more than half its own length.
+const INTO_STRIP: [(usize, f64, f64); 3] = [(SIDEWAYS, 3.5, 50.0), (2, 5.5, 22.0), (3, 8.0, 10.0)];
 /// How far ahead two ends may meet at an angle, and how far their lines may pass each other, spacings.
 const MEETING: (f64, f64) = (4.5, 1.0);
-/// The round in which ends may also run into strips, or meet.
+/// An end this near to a strip, as a share of the reach, meets it whatever it looks at.
+const LEAST_GAP: f64 = 0.14;
+/// The round in which ends may also meet at an angle.
 const SIDEWAYS: usize = 1;
 
 /// A vertex of degree one, and where it looks.
@@ -40,6 +43,11 @@ struct End {
 }
 
 impl End {
+    /// How far its own strip was followed.
+    fn length(&self) -> f64 {
+        self.own.last().map_or(0.0, |o| o.1)
+    }
+
     /// How far along its own strip a vertex lies, if it does and is near.
     fn along(&self, vertex: u32) -> Option<f64> {
         self.own.iter().find(|o| o.0 == vertex).map(|o| o.1)
@@ -65,8 +73,10 @@ pub fn bridge(lines: &mut LineGraph, kind: StripKind, resolution: Resolution) {
         let ends = loose_ends(lines, h);
         let touching = if round + 1 == gaps.len() { last } else { TOUCHING };
         let mut bridges = facing(&ends, reach * h, angle, touching * h);
+        for &(_, reach, angle) in INTO_STRIP.iter().filter(|s| s.0 == round) {
+            bridges.extend(into_strips(lines, &ends, reach * h, angle));
+        }
         if round == SIDEWAYS {
-            bridges.extend(into_strips(lines, &ends, h));
             bridges.extend(meetings(&ends, h));
         }
         bridges.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.ends().cmp(&b.1.ends())));
@@ -100,7 +110,7 @@ fn loose_ends(lines: &LineGraph, h: f64) -> Vec<End> {
                     back = lines.positions[at as usize];
                 }
                 let next = &lines.edges[at as usize];
-                if next.len() != 2 || length > 2.0 * TANGENT * h {
+                if next.len() != 2 || length > 4.0 * TANGENT * h {
                     break;
                 }
                 (before, at) = (at, if next[0] == before { next[1] } else { next[0] });
@@ -137,15 +147,15 @@ fn facing(ends: &[End], reach: f64, angle_deg: f64, touching: f64) -> Vec<(f64, 
 }
 
 /// Ends that run into a strip ahead of them.
-fn into_strips(lines: &LineGraph, ends: &[End], h: f64) -> Vec<(f64, Bridge)> {
+fn into_strips(lines: &LineGraph, ends: &[End], reach: f64, angle_deg: f64) -> Vec<(f64, Bridge)> {
     let vertices: Vec<u32> =
         (0..lines.edges.len() as u32).filter(|&v| lines.edges[v as usize].len() > 1).collect();
     let positions: Vec<[f64; 3]> = vertices.iter().map(|&v| lines.positions[v as usize]).collect();
     let index = Index::build(&positions);
-    let cosine = INTO_STRIP.1.to_radians().cos();
+    let cosine = angle_deg.to_radians().cos();
     let (mut found, mut bridges) = (Vec::new(), Vec::new());
     for end in ends {
-        index.within(end.position, INTO_STRIP.0 * h, &mut found);
+        index.within(end.position, reach.min(0.5 * end.length()), &mut found);
         let nearest = found
             .iter()
             .map(|f| vertices[f.index as usize])
@@ -154,7 +164,7 @@ fn into_strips(lines: &LineGraph, ends: &[End], h: f64) -> Vec<(f64, Bridge)> {
                 let gap = sub(lines.positions[v as usize], end.position);
                 let length = norm(gap);
                 let straight = dot(end.tangent, gap) / length.max(1e-12);
-                (straight >= cosine || length <= 0.5 * h).then_some((length * (2.0 - straight), v))
+                (straight >= cosine || length <= LEAST_GAP * reach).then_some((length * (2.0 - straight), v))
             })
             .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         if let Some((cost, v)) = nearest {
