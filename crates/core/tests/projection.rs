@@ -2,7 +2,7 @@
 
 use lineament::detect::baselines::Detector;
 use lineament::detect::points::mark;
-use lineament::shapes::{Sampled, Sampling, Scan, bracket, cube_386, sheet};
+use lineament::shapes::{Sampled, Sampling, Scan, bracket, cube_386, sheet, sphere};
 use lineament::{Class, Cloud, Error, Method, Params, StripKind, check, extract};
 
 fn by_projection() -> Params {
@@ -11,7 +11,11 @@ fn by_projection() -> Params {
 
 /// Marks of a detector in the order of the cloud.
 fn marked(cloud: &Cloud, detector: Detector) -> Vec<bool> {
-    let found = mark(cloud, &Params::default(), &[detector]).unwrap();
+    marked_with(cloud, &Params::default(), detector)
+}
+
+fn marked_with(cloud: &Cloud, params: &Params, detector: Detector) -> Vec<bool> {
+    let found = mark(cloud, params, &[detector]).unwrap();
     found.classes(0).into_iter().map(|class| class != Class::Smooth).collect()
 }
 
@@ -67,12 +71,26 @@ fn the_cube_has_12_creases_and_8_junctions_by_projection() {
 fn a_bracket_has_its_edges_marked_better_than_by_any_other_measure() {
     let part = bracket().sample(&Scan::new(Sampling::Grid { step: 0.1 }));
     let truth = on_edges(&part);
-    let own = f1(&marked(&part.cloud, Detector::Projection), &truth);
-    assert!(own > 0.9, "{own}");
-    for detector in Detector::ALL.into_iter().filter(|d| *d != Detector::Projection) {
-        let other = f1(&marked(&part.cloud, detector), &truth);
-        assert!(own > other, "{detector:?} has {other}, projection {own}");
-    }
+    let mut params = Params::default();
+    params.projection.classes = 2;
+    let scores = Detector::ALL.map(|detector| f1(&marked_with(&part.cloud, &params, detector), &truth));
+    assert!(scores[0] > 0.9, "{scores:?}");
+    assert!(scores[1..].iter().all(|other| *other < scores[0]), "{scores:?}");
+}
+
+#[test]
+fn three_classes_mark_what_lies_within_a_spacing_of_an_edge() {
+    let part = bracket().sample(&Scan::new(Sampling::Grid { step: 0.1 }));
+    let at_edges: Vec<bool> = part.distances().iter().map(|d| *d < part.spacing).collect();
+    let found = f1(&marked(&part.cloud, Detector::Projection), &at_edges);
+    assert!(found > 0.85, "{found}");
+}
+
+#[test]
+fn a_noisy_sphere_is_hardly_marked_at_all() {
+    let ball = sphere(1.0).sample(&Scan::new(Sampling::Area { count: 8000 }).noise(0.2).seed(3));
+    let share = count(&marked(&ball.cloud, Detector::Projection)) as f64 / 8000.0;
+    assert!(share < 0.1, "{share}");
 }
 
 #[test]

@@ -11,7 +11,7 @@ pub struct Curve {
 const SIZE: [f64; 2] = [720.0, 420.0];
 /// Left, top, right, bottom of the frame.
 const FRAME: [f64; 4] = [60.0, 20.0, 520.0, 370.0];
-const COLOURS: [&str; 6] = ["#c00020", "#1060c0", "#e08000", "#208040", "#8040a0", "#606060"];
+const COLOURS: [&str; 7] = ["#c00020", "#1060c0", "#e08000", "#208040", "#8040a0", "#606060", "#e070a0"];
 const MOST_NOISE: f64 = 0.5;
 
 /// The drawing, with a dashed line at the noise above which the method warns.
