@@ -37,7 +37,8 @@ pub struct Projection {
     pub normal: Vec<[f32; 3]>,
 }
 
-/// Noise, in spacings, above which the marks are mostly false; measured on a part with known edges.
+/// Noise, in spacings, above which a quarter of the marks and more is wrong or missing; measured on a part with known edges
+/// (the bench `projection`), where F1 falls from .93 to .77 there.
 pub const NOISE_LIMIT: f64 = 0.15;
 
 /// Projected distance, in spacings, that a point may have which is near an edge and not at it (the paper's table 1: less
