@@ -20,7 +20,7 @@ const STRAY: f64 = 8.0;
 /// `k` from 10 to 16.
 ///
 /// A point that lists `i` but that `i` does not list is farther from `i` than all that `i` lists. So each list of
-/// the graph is the one given, and then those other points by distance. One that is [`STRAY`] times as far is left out: the
+/// the graph is the one given, and then those other points by distance. One that is `STRAY` times as far is left out: the
 /// only case in which `i` is in a list and its owner not in that of `i`.
 pub fn graph(positions: &[[f64; 3]], nearest: &Neighbors) -> Neighbors {
     let size = nearest.len().div_ceil(PARTS).max(1);
