@@ -140,6 +140,7 @@ pub(crate) fn open(source: &Source, archive: &Shared, entry: &Entry) -> Result<S
         packed: packing(entry, packed).take(entry.bytes),
         sum: crc32fast::Hasher::new(),
         stated: entry.checksum,
+        at: entry.at,
     };
     let name = format!("{}: {}", source.name(), entry.name);
     Ok(Source::new(Box::new(checked), name, Some(entry.bytes), false))
@@ -154,6 +155,8 @@ struct Checked {
     packed: Take<Box<dyn Read + Send>>,
     sum: crc32fast::Hasher,
     stated: u32,
+    /// Where the entry begins in the archive.
+    at: u64,
 }
 
 impl Read for Checked {
@@ -161,10 +164,9 @@ impl Read for Checked {
         let got = self.packed.read(out)?;
         self.sum.update(&out[..got]);
         if got == 0 && !out.is_empty() && self.sum.clone().finalize() != self.stated {
-            return Err(io::Error::new(
-                io::ErrorKind::InvalidData,
-                "the checksum does not fit: the archive is damaged",
-            ));
+            let what =
+                format!("byte {}: the entry there does not fit its checksum: get the file anew", self.at);
+            return Err(io::Error::new(io::ErrorKind::InvalidData, what));
         }
         Ok(got)
     }

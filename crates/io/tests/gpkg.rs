@@ -50,7 +50,7 @@ fn strips(counts: impl Iterator<Item = usize>) -> Network {
 #[test]
 fn the_header_is_that_of_a_geopackage() {
     let bytes = written(&network(), &NetworkContext::default());
-    assert!(bytes.starts_with(b"SQLite format 3\0") && bytes.len() % 4096 == 0);
+    assert!(bytes.starts_with(b"SQLite format 3\0") && bytes.len().is_multiple_of(4096));
     assert_eq!(&bytes[68..72], b"GPKG");
     assert_eq!(u32::from_be_bytes(bytes[28..32].try_into().unwrap()) as usize, bytes.len() / 4096);
     assert_eq!(bytes, written(&network(), &NetworkContext::default()));

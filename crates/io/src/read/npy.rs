@@ -114,9 +114,9 @@ pub(super) fn parse(text: &str) -> Result<Header, String> {
         return Ok(Header { names, fields, stride, endian, rows, column_major: false });
     }
     let (kind, endian) = scalar(quoted(descr).ok_or_else(|| format!("type {descr}"))?)?;
-    let (rows, columns) = match shape.as_slice() {
-        &[rows] => (rows, 1),
-        &[rows, columns @ 1..=4096] => (rows, columns as usize),
+    let (rows, columns) = match *shape.as_slice() {
+        [rows] => (rows, 1),
+        [rows, columns @ 1..=4096] => (rows, columns as usize),
         _ => return Err(format!("an array of shape {shape:?}")),
     };
     let fields = (0..columns).map(|c| Field { offset: c * kind.size(), kind }).collect();

@@ -147,7 +147,8 @@ fn values<T: DataType>(
     let (mut levels, mut some) = (Vec::new(), Vec::new());
     let mut done = 0;
     while done < count {
-        (levels.clear(), some.clear());
+        levels.clear();
+        some.clear();
         let defined = (column.level > 0).then_some(&mut levels);
         let (read, ..) = reader.read_records(BATCH.min(count - done), defined, None, &mut some)?;
         if read == 0 {

@@ -21,7 +21,7 @@ fn point(i: usize) -> [i32; 3] {
 /// The node of a point: every fourth is the root's, the others go by the half they lie in.
 fn node(i: usize) -> [i32; 4] {
     let [x, y, z] = point(i).map(|c| i32::from(c > SIZE / 2));
-    if i % 4 == 0 { [0, 0, 0, 0] } else { [1, x, y, z] }
+    if i.is_multiple_of(4) { [0, 0, 0, 0] } else { [1, x, y, z] }
 }
 
 fn record(i: usize) -> [u8; RECORD] {
