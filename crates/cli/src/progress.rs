@@ -5,6 +5,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use lineament::section::{SectionParams, Sections, Stack, section_observed};
 use lineament::{Cloud, Error, Extraction, Params, Progress, extract, extract_observed};
 
 /// Work shorter than this shows nothing.
@@ -16,6 +17,22 @@ pub fn observed(cloud: &Cloud, params: &Params, quiet: bool) -> Result<Extractio
     if quiet || !std::io::stderr().is_terminal() {
         return extract(cloud, params);
     }
+    shown(|line| extract_observed(cloud, params, &|progress| line.set_message(text(progress))))
+}
+
+/// Cuts sections. On a terminal, and unless the user has asked for quiet, standard error shows the share done.
+pub fn sectioned(cloud: &Cloud, params: &SectionParams, quiet: bool) -> Result<(Sections, Stack), Error> {
+    if quiet || !std::io::stderr().is_terminal() {
+        return section_observed(cloud, params, &|_| ());
+    }
+    shown(|line| {
+        line.set_message("section");
+        section_observed(cloud, params, &|share| line.set_message(format!("section {:.0} %", 100.0 * share)))
+    })
+}
+
+/// Does work with a line on standard error that appears once the work is long.
+fn shown<R>(work: impl FnOnce(&ProgressBar) -> R) -> R {
     let line = hidden_line();
     let (done, is_done) = channel::<()>();
     let watched = &line;
@@ -26,7 +43,7 @@ pub fn observed(cloud: &Cloud, params: &Params, quiet: bool) -> Result<Extractio
                 watched.enable_steady_tick(TICK);
             }
         });
-        let result = extract_observed(cloud, params, &|progress| line.set_message(text(progress)));
+        let result = work(&line);
         drop(done);
         result
     });

@@ -16,10 +16,28 @@ Formats by extension:
   .ply      vertices and edges
   .geojson  polygons with their holes
 
+How a slice is drawn:
+  Points near the plane are carried to it along the surface, so that a slanted wall stays a thin line; --no-carry
+  projects them straight. The curve follows the middle of the points; --side out or in follows an edge of a thick band.
+  hull and voronoi draw polylines with few vertices. Closed curves are solid (counter-clockwise) or holes.
+
+With --fit:
+  Each curve is described by lines, arcs, circles and splines within --tolerance, and the stack of slices is read:
+  extrusions, holes, tapers, revolutions, mirror planes and repeated outlines, each with its range and error. A run
+  needs two slices or more (tapers and revolutions four): cut several through the thinnest feature that matters.
+
 Examples:
-  lineament section part.ply -o part.dxf --axis z --count 20
-  lineament section scan.ply -o plan.svg -o plan.json --at=1.2
+  lineament section part.ply -o part.dxf --axis z --count 20        20 slices through the whole part
+  lineament section scan.ply -o plan.svg -o plan.json --at=1.2      a floor plan at one height
+  lineament section part.ply -o part.json --axis auto --count 60 --fit
+                                                                    what bores, bosses and steps it has
+  lineament section part.ply -o part.svg --adaptive 16              few slices where nothing changes
   lineament section part.ply -o part.json --axis 1,0,1 --every 2.5 --outline voronoi";
+
+const SLICES_HELP: &str = "\
+Examples:
+  lineament slices part.ply -o slices --count 40
+  lineament slices scan.laz -o plans --at=0.5,1.5,2.5";
 
 /// Arguments of `section`.
 #[derive(Debug, ClapArgs)]
@@ -39,6 +57,7 @@ pub struct Section {
 
 /// Arguments of `slices`.
 #[derive(Debug, ClapArgs)]
+#[command(after_help = SLICES_HELP)]
 pub struct Slices {
     #[command(flatten)]
     pub source: Source,
@@ -82,6 +101,10 @@ pub struct Slicing {
     /// How curves are taken from the points of a slab
     #[arg(long, value_enum)]
     pub outline: Option<OutlineName>,
+    /// With the outline `voronoi`: how far empty circles may lie from the curve, as a multiple of how far its points do
+    /// (0.1 to 100); small for few vertices, large for many [default: 1]
+    #[arg(long, value_name = "FACTOR")]
+    pub circle_bound: Option<f64>,
     /// Which side of a thick band of points the curves follow
     #[arg(long, value_enum)]
     pub side: Option<SideName>,
@@ -158,6 +181,7 @@ impl Slicing {
                 Some(SideName::In) => Side::Inside,
                 None => standard.side,
             },
+            circle_bound: self.circle_bound.unwrap_or(standard.circle_bound),
             fit: self.fit || self.tolerance.is_some(),
             tolerance: self.tolerance,
             ..standard

@@ -95,8 +95,70 @@ fn the_stepped_shaft_is_a_row_of_round_extrusions() {
     }
     near(radius(steps[5]).unwrap(), 1.0, h);
     near(steps[5].from, 4.8, h);
+    near(steps[5].to, 6.7, h);
     // The chamfer is all that is not an extrusion.
     assert!(found.runs.len() <= truth.len() + 2, "{:?}", found.runs);
+}
+
+#[test]
+fn nothing_is_named_that_the_bracket_does_not_have() {
+    let cloud = scanned(&shapes::bracket(), 40_000, 0.1);
+    // The foot, the wall under and over the boss, along y the foot before and behind the bore as well.
+    let along_z = [(0.0, 1.2), (1.2, 2.5), (4.1, 5.0)];
+    let along_y = [(0.0, 1.2), (1.2, 3.1), (1.2, 2.2), (4.9, 6.0)];
+    for count in [25, 40, 50] {
+        for (axis, truth) in [(2, &along_z[..]), (1, &along_y[..])] {
+            let (found, h) = features(&cloud, axis, count);
+            for run in &found.runs {
+                assert!(matches!(run.feature, Feature::Extrusion { .. }), "{run:?}");
+                // Where a bore or a boss begins or ends, slices touch it and faces are seen from their edge.
+                let same = |&(from, to): &(f64, f64)| {
+                    let within =
+                        |found: f64, truth: f64, error: f64| (found - truth).abs() <= (0.25 * h).max(error);
+                    within(run.from, from, run.range_error[0]) && within(run.to, to, run.range_error[1])
+                };
+                assert!(truth.iter().any(same), "{count} along {axis}: {run:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_sphere_is_no_extrusion_and_no_taper_however_close_the_slices() {
+    for (noise, counts) in [(0.0, [8, 30, 31]), (0.1, [9, 20, 50])] {
+        let cloud = scanned(&shapes::sphere(3.0), 20_000, noise);
+        for count in counts {
+            let (found, _) = features(&cloud, 2, count);
+            for run in &found.runs {
+                assert!(matches!(run.feature, Feature::Revolution { .. }), "{noise} {count}: {run:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_torus_is_two_revolutions_one_of_them_the_hole() {
+    let cloud = scanned(&shapes::torus(3.0, 1.0), 20_000, 0.1);
+    let (found, h) = features(&cloud, 2, 20);
+    let mut holes: Vec<bool> = found.runs.iter().map(|r| r.hole).collect();
+    holes.sort_unstable();
+    assert_eq!(holes, [false, true], "{:?}", found.runs);
+    for run in &found.runs {
+        let Feature::Revolution { least, most } = run.feature else { panic!("{run:?}") };
+        let reached = if run.hole { least - 2.0 } else { most - 4.0 };
+        assert!(reached.abs() <= 0.2 * h, "{run:?}");
+    }
+}
+
+#[test]
+fn walls_tell_their_draft() {
+    let draft = |shape: &Shape| {
+        let sections = cut(&scanned(shape, 20_000, 0.1), 2, 9);
+        sections.sections[4].contours[0].draft_deg.unwrap()
+    };
+    let cone = -0.5f64.atan().to_degrees();
+    assert!((draft(&shapes::cone(1.0, 2.0)) - cone).abs() < 1.0);
+    assert!(draft(&shapes::star_prism(5)).abs() < 1.0);
 }
 
 #[test]
@@ -206,7 +268,11 @@ fn adaptive_slabs_are_few_on_a_prism_and_more_on_a_shaft() {
             SectionParams { planes: Planes::Adaptive { start: 16, most: 64 }, ..SectionParams::default() };
         let sections = section(&cloud, &params).unwrap();
         check(&sections);
-        sections.sections.len()
+        let slabs: Vec<[f64; 2]> = sections.sections.iter().filter_map(|s| s.slab).collect();
+        assert!(slabs.windows(2).all(|w| w[0][1] == w[1][0]), "{slabs:?}");
+        let [low, high] = [slabs[0][0], slabs[slabs.len() - 1][1]];
+        assert!(cloud.positions.iter().all(|p| (low - 1e-9..=high + 1e-9).contains(&p[2])));
+        slabs.len()
     };
     let (prism, shaft) = (adapted(&shapes::star_prism(5)), adapted(&shapes::stepped_shaft()));
     assert_eq!(prism, 1);

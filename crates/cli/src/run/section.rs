@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use lineament::section::{self, SectionParams, Sections, Stack};
+use lineament::section::{SectionParams, Sections, Stack};
 use lineament_io::{
     ReadOptions, SectionContext, SectionFormat, section_format, write_sections, write_slice_picture,
 };
@@ -13,7 +13,7 @@ use crate::batch::{self, Done};
 use crate::failure::{Code, Failure};
 use crate::section_args::{Section, Slices, Slicing};
 use crate::source::{self, Input, Origin};
-use crate::{args, config, outputs, summary};
+use crate::{args, config, outputs, progress, summary};
 
 /// What a folder gets.
 const SUFFIXES: [&str; 2] = ["sections.json", "sections.dxf"];
@@ -43,7 +43,7 @@ fn one(
 ) -> Result<Done, Failure> {
     let start = Instant::now();
     let hash = outputs.iter().any(|path| matches!(section_format(path), Ok(SectionFormat::Json)));
-    let (input, sections, stack) = cut(&args.source, origin, params, hash)?;
+    let (input, sections, stack) = cut(&args.source, origin, params, hash, args.running.quiet)?;
     let context = SectionContext {
         program_version: env!("CARGO_PKG_VERSION").into(),
         input_name: input.name.clone(),
@@ -83,7 +83,7 @@ fn pictures(
     params: &SectionParams,
 ) -> Result<Done, Failure> {
     let start = Instant::now();
-    let (input, sections, _) = cut(&args.source, origin, params, false)?;
+    let (input, sections, _) = cut(&args.source, origin, params, false, args.running.quiet)?;
     std::fs::create_dir_all(folder).map_err(|e| {
         Failure::new(Code::Output, format!("{}: cannot make the folder: {e}", folder.display()))
     })?;
@@ -108,14 +108,11 @@ fn cut(
     origin: &Origin,
     params: &SectionParams,
     hash: bool,
+    quiet: bool,
 ) -> Result<(Input, Sections, Stack), Failure> {
     let input =
         origin.load(&source.reading, &ReadOptions { attributes: false, hash, ..Default::default() })?;
-    let found = if params.fit {
-        section::section_and_stack(&input.cloud, params)
-    } else {
-        section::section(&input.cloud, params).map(|sections| (sections, Stack::default()))
-    };
+    let found = progress::sectioned(&input.cloud, params, quiet);
     let (sections, stack) = found.map_err(|e| Failure::from(e).at(origin.shown()))?;
     Ok((input, sections, stack))
 }

@@ -1,6 +1,9 @@
 //! Adaptive slabs (Kyriazis et al., section 2): equal parts of the cloud's extent at first, then rounds of splitting and
 //! merging; each slab starts where the one before ends.
 //!
+//! Departure: a section is drawn from the points near the middle of its slab, as far as carrying them along the surface
+//! is sure, and not from all of a thick one. The slab is what the section stands for: over it, nothing changes.
+//!
 //! The criteria: a slab with too few points to describe a curve, or whose section is like its neighbour's, is merged
 //! with it; a slab whose section differs from a neighbour's may hold features that a thick slab would tangle, and is
 //! split, down to slabs as thick as the local spacing lets a curve be described.
@@ -26,6 +29,8 @@ pub(super) struct Limits {
     pub most: usize,
     /// No slab gets thinner.
     pub thinnest: f64,
+    /// Distance of neighbouring points of the cloud, in the unit of the contours.
+    pub step: f64,
     /// Sections closer than this on average are alike, in the unit of the contours.
     pub alike: f64,
 }
@@ -67,7 +72,7 @@ fn fill(slabs: &mut [Slab], cut: &mut impl FnMut(&[f64]) -> Vec<Section>) {
 fn split(slabs: &[Slab], limits: Limits) -> Vec<Slab> {
     let differs = |k: usize| {
         let beside = [k.checked_sub(1), (k + 1 < slabs.len()).then_some(k + 1)];
-        beside.into_iter().flatten().any(|j| !alike(&slabs[k], &slabs[j], limits.alike))
+        beside.into_iter().flatten().any(|j| !alike(&slabs[k], &slabs[j], limits))
     };
     let mut room = limits.most.saturating_sub(slabs.len());
     let mut parts = Vec::with_capacity(slabs.len());
@@ -90,7 +95,7 @@ fn merge(slabs: Vec<Slab>, limits: Limits) -> Vec<Slab> {
     let mut merged: Vec<Slab> = Vec::new();
     for slab in slabs {
         match merged.last_mut() {
-            Some(last) if bare(&slab) || bare(last) || alike(last, &slab, limits.alike) => {
+            Some(last) if bare(&slab) || bare(last) || alike(last, &slab, limits) => {
                 last.high = slab.high;
                 if bare(last) {
                     last.section = slab.section;
@@ -108,19 +113,21 @@ fn bare(slab: &Slab) -> bool {
 }
 
 /// Whether two sections have as many closed and open contours, holes among them, and lie on each other.
-fn alike(a: &Slab, b: &Slab, distance: f64) -> bool {
+fn alike(a: &Slab, b: &Slab, limits: Limits) -> bool {
     let (Some(a), Some(b)) = (&a.section, &b.section) else { return false };
     let kinds = |s: &Section| {
         let count = |hole: usize| s.contours.iter().filter(|c| c.closed && c.depth % 2 == hole).count();
         (count(0), count(1), s.contours.iter().filter(|c| !c.closed).count())
     };
-    kinds(a) == kinds(b) && apart(a, b) <= distance && apart(b, a) <= distance
+    kinds(a) == kinds(b)
+        && apart(a, b, limits.step) <= limits.alike
+        && apart(b, a, limits.step) <= limits.alike
 }
 
 /// Greatest over the contours of one section of the mean distance from the nearest contour of the other.
-fn apart(a: &Section, b: &Section) -> f64 {
+fn apart(a: &Section, b: &Section, step: f64) -> f64 {
     let flat = |c: &Contour| c.points.iter().map(|p| [p[0], p[1]]).collect::<Vec<[f64; 2]>>();
-    let others: Vec<Polyline> = b.contours.iter().map(|c| Polyline::new(flat(c), c.closed)).collect();
+    let others: Vec<Polyline> = b.contours.iter().map(|c| Polyline::new(&flat(c), c.closed, step)).collect();
     let from = |points: Vec<[f64; 2]>| {
         others.iter().map(|o| o.mean_off(points.iter().copied())).fold(f64::INFINITY, f64::min)
     };

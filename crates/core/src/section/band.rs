@@ -22,6 +22,20 @@ pub(crate) struct Mark {
     pub growth: f64,
 }
 
+/// How fast a wall moves to the right of its contour with growing height.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Growth {
+    /// The median along the contour.
+    pub middle: f64,
+    /// What nine tenths of the contour stay under, of either sign.
+    pub most: f64,
+}
+
+fn quantile(values: &mut [f64], share: f64) -> f64 {
+    let at = (values.len().saturating_sub(1) as f64 * share) as usize;
+    if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(at, f64::total_cmp).1 }
+}
+
 /// A contour's polyline with its samples, ascending by arc.
 #[derive(Clone, Debug)]
 pub(crate) struct Band {
@@ -128,11 +142,12 @@ pub(crate) fn segment(band: &Band, v: usize) -> ([f64; 2], [f64; 2]) {
 }
 
 impl Band {
-    /// The median growth of its marks; 0 for none.
-    pub(crate) fn growth(&self) -> f64 {
+    /// What its marks say of the wall; all 0 for none.
+    pub(crate) fn growth(&self) -> Growth {
         let mut all: Vec<f64> = self.marks.iter().map(|m| m.growth).collect();
-        let middle = all.len() / 2;
-        if all.is_empty() { 0.0 } else { *all.select_nth_unstable_by(middle, f64::total_cmp).1 }
+        let middle = quantile(&mut all, 0.5);
+        all.iter_mut().for_each(|g| *g = g.abs());
+        Growth { middle, most: quantile(&mut all, 0.9) }
     }
 
     /// The point of the polyline at an arc; arcs of a closed band may run over its seam.

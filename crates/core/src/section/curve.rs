@@ -1,12 +1,12 @@
 //! Contours as lines, arcs, circles and splines within a tolerance, corners kept.
 //!
-//! Each stretch between corners is cut greedily: from where the last piece ended, the longest line or arc that stays
-//! within the tolerance of every vertex; what neither describes is left to splines.
+//! Each stretch between corners is cut into lines and arcs (`greedy`); what neither describes is left to splines.
 
 use super::chain::Vertex;
-use super::primitive::{Line, Round};
+use super::greedy::{ARC_VERTICES, Kind, Run, longest, stretch, sweep};
+use super::primitive::Round;
 use super::spline::{self, Spline};
-use super::vec2::{along, cross, distance, dot, meet, sub};
+use super::vec2::{along, distance, meet, sub};
 
 /// A piece of a contour in the slicing plane.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,26 +32,6 @@ pub(crate) struct Piece {
     pub to: [f64; 2],
     /// Greatest distance from a vertex.
     pub worst: f64,
-}
-
-/// Fewest vertices that speak for an arc: three always lie on one.
-const ARC_VERTICES: usize = 6;
-/// Fewest vertices of a line inside a stretch.
-const LINE_VERTICES: usize = 4;
-
-/// A run of vertices under one description, `first..=last`.
-#[derive(Clone, Copy, Debug)]
-struct Run {
-    first: usize,
-    last: usize,
-    kind: Kind,
-}
-
-#[derive(Clone, Copy, Debug)]
-enum Kind {
-    Line(Line),
-    Arc(Round),
-    Free,
 }
 
 /// The pieces of a contour in order.
@@ -103,99 +83,6 @@ fn opened(
     let turned: Vec<[f64; 2]> = (0..count).map(|k| points[(start + k) % n]).collect();
     let inner = (1..count - 1).filter(|k| vertices[(start + k) % n].corner);
     (turned, std::iter::once(0).chain(inner).chain([count - 1]).collect())
-}
-
-fn stretch(points: &[[f64; 2]], first: usize, last: usize, tolerance: f64, runs: &mut Vec<Run>) {
-    let mut at = first;
-    let mut free: Option<usize> = None;
-    while at < last {
-        let run = longest(points, at, last, tolerance);
-        let enough = match run.kind {
-            Kind::Line(_) => run.last - at + 1 >= LINE_VERTICES || (at == first && run.last == last),
-            _ => run.last - at + 1 >= ARC_VERTICES,
-        };
-        if !enough {
-            free.get_or_insert(at);
-            at += 1;
-            continue;
-        }
-        if let Some(start) = free.take() {
-            runs.push(Run { first: start, last: at, kind: Kind::Free });
-        }
-        runs.push(run);
-        at = run.last;
-    }
-    if let Some(start) = free {
-        runs.push(Run { first: start, last, kind: Kind::Free });
-    }
-}
-
-/// The longest line or arc from `first`; an arc must go a quarter farther than the line to be preferred.
-fn longest(points: &[[f64; 2]], first: usize, last: usize, tolerance: f64) -> Run {
-    let line = reach(first, last, 2, |end| {
-        Line::fit(&points[first..=end]).filter(|l| line_fits(l, &points[first..=end], tolerance))
-    });
-    let arc = reach(first, last, ARC_VERTICES - 1, |end| {
-        Round::fit(&points[first..=end]).filter(|r| arc_fits(r, &points[first..=end], tolerance))
-    });
-    match (line, arc) {
-        (Some((l, line)), Some((a, _))) if 5 * (l - first) >= 4 * (a - first) => {
-            Run { first, last: l, kind: Kind::Line(line) }
-        }
-        (_, Some((a, round))) => Run { first, last: a, kind: Kind::Arc(round) },
-        (Some((l, line)), None) => Run { first, last: l, kind: Kind::Line(line) },
-        (None, None) => match Line::fit(&points[first..=first + 1]) {
-            Some(line) => Run { first, last: first + 1, kind: Kind::Line(line) },
-            None => Run { first, last: first + 1, kind: Kind::Free },
-        },
-    }
-}
-
-/// The last vertex a fit reaches: doubling steps, then halving.
-fn reach<T>(first: usize, last: usize, least: usize, fit: impl Fn(usize) -> Option<T>) -> Option<(usize, T)> {
-    let mut good = None;
-    let mut step = least;
-    let mut bad = last + 1;
-    while first + step < bad {
-        match fit(first + step) {
-            Some(found) => good = Some((first + step, found)),
-            None => bad = first + step,
-        }
-        let next = (2 * step).min(last - first);
-        if good.is_none() || next == step {
-            break;
-        }
-        step = next;
-    }
-    let (mut low, mut found) = good?;
-    while bad - low > 1 {
-        let middle = low + (bad - low) / 2;
-        match fit(middle) {
-            Some(better) => (low, found) = (middle, better),
-            None => bad = middle,
-        }
-    }
-    Some((low, found))
-}
-
-fn line_fits(line: &Line, points: &[[f64; 2]], tolerance: f64) -> bool {
-    points.iter().all(|&p| line.off(p) <= tolerance)
-}
-
-/// An arc must bend by more than the tolerance, run one way round and less than once.
-fn arc_fits(round: &Round, points: &[[f64; 2]], tolerance: f64) -> bool {
-    let swept = sweep(round, points);
-    let bend = round.radius * (1.0 - (0.5 * swept.abs().min(std::f64::consts::PI)).cos());
-    bend > tolerance && swept.abs() < 6.2 && points.iter().all(|&p| round.off(p) <= tolerance)
-}
-
-/// The signed angle a run of points goes about a centre.
-fn sweep(round: &Round, points: &[[f64; 2]]) -> f64 {
-    let turn = |w: &[[f64; 2]]| {
-        let (a, b) = (sub(w[0], round.centre), sub(w[1], round.centre));
-        cross(a, b).atan2(dot(a, b))
-    };
-    points.windows(2).map(turn).sum()
 }
 
 fn pieces(points: &[[f64; 2]], runs: &[Run], closed: bool, tolerance: f64) -> Vec<Piece> {

@@ -1,6 +1,6 @@
 //! From the samples of one slab to the outlines of its contours.
 
-use super::band::{self, Band};
+use super::band::{self, Band, Growth};
 use super::carry::Sample;
 use super::chain::Chain;
 use super::params::{Outline, SectionParams, Side};
@@ -13,8 +13,8 @@ use super::{hull, join, link, lsq, node, smooth, tidy, voronoi};
 pub(crate) struct Drawn {
     /// Its outline.
     pub chain: Chain,
-    /// How fast the wall moves to the right of the outline with growing height: the median over the band.
-    pub growth: f64,
+    /// How fast the wall moves to the right of the outline with growing height.
+    pub growth: Growth,
 }
 
 /// The outlines of a slab's contours, longest first.

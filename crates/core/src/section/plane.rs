@@ -22,6 +22,12 @@ pub(crate) struct Patch {
     pub spacing: f64,
 }
 
+impl Patch {
+    /// Of a point that no plane is wanted of: shows none, and is adopted by none.
+    pub(super) const NONE: Patch =
+        Patch { centre: [0.0; 3], normal: [0.0; 3], residual: f64::INFINITY, spacing: 0.0 };
+}
+
 /// A point and its neighbours, nearest first, as vectors from the point.
 pub(super) struct Around {
     own: [f64; 3],

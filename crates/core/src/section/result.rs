@@ -28,7 +28,10 @@ pub struct Section {
     pub plane: usize,
     /// Its position along the axis, world unit.
     pub height: f64,
-    /// Points of the cloud in the slab.
+    /// The part of the axis that the section stands for, world unit: neighbouring ones share their bounds, so that
+    /// nothing is left out between them. `None` for planes at given positions.
+    pub slab: Option<[f64; 2]>,
+    /// Points of the cloud near enough to the plane to be looked at.
     pub points: usize,
     /// The curves, longest first.
     pub contours: Vec<Contour>,
@@ -69,6 +72,8 @@ pub struct Contour {
     /// Median angle between the wall and the axis, degrees, positive where the contour grows along the axis; `None`
     /// for open contours.
     pub draft_deg: Option<f64>,
+    /// The angle between the wall and the axis, degrees, that nine tenths of the contour stay under, of either sign.
+    pub steepest_deg: f64,
     /// Centroid of the enclosed area, of the line for an open contour; world frame.
     pub centroid: [f64; 3],
     /// The contour as lines, arcs, circles and splines, end to end; empty unless asked for.
@@ -175,7 +180,10 @@ fn contour(drawn: Drawn, parent: Option<usize>, depth: usize, tolerance: Option<
         area: extent.area,
         length: extent.length,
         // Right of a counter-clockwise contour is outside.
-        draft_deg: chain.closed.then(|| if turn < 0.0 { -growth } else { growth }.atan().to_degrees()),
+        draft_deg: chain
+            .closed
+            .then(|| growth.middle.atan().to_degrees() * if turn < 0.0 { -1.0 } else { 1.0 }),
+        steepest_deg: growth.most.atan().to_degrees(),
         centroid: lift(extent.centroid),
         pieces: pieces.into_iter().map(piece).collect(),
     }

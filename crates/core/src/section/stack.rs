@@ -117,7 +117,7 @@ fn tolerance(sections: &Sections) -> f64 {
 }
 
 /// Names the runs of a stack of sections of `cloud`. Where both are wanted,
-/// [`section_and_stack`](crate::section::section_and_stack) sorts the cloud once for both.
+/// [`section_observed`](crate::section::section_observed) sorts the cloud once for both.
 ///
 /// # Errors
 /// What [`Frame::localise`] refuses.

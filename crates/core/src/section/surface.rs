@@ -88,16 +88,25 @@ struct Block {
     near: Vec<u32>,
 }
 
+/// A search of all points beats searches of single ones from this share of the points on: one in six.
+const MANY: usize = 6;
+
 /// Fits the surface at the `wanted` points (ascending) of a cloud.
 pub(crate) fn fit(points: &[[f64; 3]], index: &Index, wanted: &[u32], noise: f64) -> Surface {
     let count = ((12.0 + 50.0 * noise) as usize).clamp(FIRST, MOST);
-    let all = wanted.len() * 2 > points.len();
+    let all = wanted.len() * MANY > points.len();
     let blocks: Vec<Block> = if all {
         let width = (count - 1).min(points.len().saturating_sub(1)).max(1);
+        let mut inside = vec![false; points.len()];
+        wanted.iter().for_each(|&i| inside[i as usize] = true);
         neighbors::nearest_blocks_in(index, points, count - 1, |first, lists| {
-            let mut block = Block::default();
+            let mut block = Block { patches: Vec::with_capacity(BLOCK), ..Block::default() };
             for (i, ids) in (first as u32..).zip(lists.chunks(width)) {
-                block.push(points, i, ids, noise);
+                if inside[i as usize] {
+                    block.push(points, i, ids, noise);
+                } else {
+                    block.patches.push(Patch::NONE);
+                }
             }
             block
         })

@@ -42,10 +42,10 @@ impl<const D: usize> Tree<D> {
         }
     }
 
-    /// The `K` points nearest to `centre` as (squared distance, index), nearest first; infinite distances where there
-    /// are fewer.
-    pub(crate) fn nearest<const K: usize>(&self, centre: [f64; D]) -> [(f64, u32); K] {
-        let mut best = [(f64::INFINITY, u32::MAX); K];
+    /// The `K` points within `radius` that are nearest to `centre` as (squared distance, index), nearest first; an index
+    /// of `u32::MAX` where there are fewer.
+    pub(crate) fn nearest<const K: usize>(&self, centre: [f64; D], radius: f64) -> [(f64, u32); K] {
+        let mut best = [(radius * radius, u32::MAX); K];
         self.approach(0, self.places.len(), centre, &mut best);
         best
     }
@@ -131,13 +131,13 @@ mod tests {
             let mut all: Vec<(f64, u32)> =
                 points.iter().enumerate().map(|(i, &p)| (distance2(p, centre), i as u32)).collect();
             all.sort_by(|a, b| a.partial_cmp(b).unwrap());
-            assert_eq!(tree.nearest::<9>(centre), all[..9]);
+            assert_eq!(tree.nearest::<9>(centre, f64::INFINITY), all[..9]);
             tree.within(centre, 11.0, &mut found);
             found.sort_unstable();
             let mut near: Vec<u32> = all.iter().filter(|a| a.0 <= 121.0).map(|a| a.1).collect();
             near.sort_unstable();
             assert_eq!(found, near);
         }
-        assert_eq!(Tree::<2>::new(&[]).nearest::<2>([0.0; 2]), [(f64::INFINITY, u32::MAX); 2]);
+        assert_eq!(Tree::<2>::new(&[]).nearest::<2>([0.0; 2], 3.0), [(9.0, u32::MAX); 2]);
     }
 }

@@ -1,5 +1,5 @@
-//! Where a run begins and ends: at a flat face across the axis beside its outline, or else at the last points of its
-//! wall. Both lie between two slices, and are found in the points there.
+//! Where a run begins and ends: at a flat face across the axis beside its outline, or where its wall folds into a slanted
+//! one, or else at the last points of its wall. Faces and last points lie between two slices, and are found in the points there.
 
 use rayon::prelude::*;
 
@@ -18,6 +18,9 @@ const FACE: usize = 8;
 /// How far beside an outline its end face is looked for, in spacings.
 const BESIDE: f64 = 4.0;
 
+/// Points beside an outline that say well enough where it ends.
+const ENOUGH: usize = 8_000;
+
 /// A point of the cloud in the slice frame, world units.
 #[derive(Clone, Copy)]
 struct Spot {
@@ -35,6 +38,7 @@ struct Search<'a> {
     outline: &'a Profile,
     inner: f64,
     outer: f64,
+    fold: Option<f64>,
 }
 
 /// Sets `from`, `to` and `range_error` of every run from the points between its slices and those just outside.
@@ -54,7 +58,8 @@ pub(super) fn refine(local: &Localised, index: &Index, sections: &Sections, runs
                 beside.reverse();
             }
             let (h, noise) = (sections.spacing, sections.noise);
-            face(&beside, h, noise).or_else(|| wall(&beside, h, noise))
+            let fold = search.fold.map(|height| (height, (0.1 + 0.5 * noise) * h));
+            face(&beside, h, noise).or(fold).or_else(|| wall(&beside, search.outer, h, noise))
         })
         .collect();
     for (found, ends) in runs.iter_mut().zip(ends.chunks(2)) {
@@ -64,7 +69,7 @@ pub(super) fn refine(local: &Localised, index: &Index, sections: &Sections, runs
     }
 }
 
-fn searches<'a>(Found { run, profiles }: &Found<'a>, sections: &Sections) -> [Search<'a>; 2] {
+fn searches<'a>(Found { run, profiles, folds }: &Found<'a>, sections: &Sections) -> [Search<'a>; 2] {
     // A slice within a spacing of a face may not show the outline whole: the face then lies past that slice.
     let past = sections.spacing;
     let [low, _, high] = *profiles;
@@ -73,7 +78,10 @@ fn searches<'a>(Found { run, profiles }: &Found<'a>, sections: &Sections) -> [Se
     let below =
         if run.range_error[0].is_finite() { 2.0 * run.from - first - past } else { f64::NEG_INFINITY };
     let above = if run.range_error[1].is_finite() { 2.0 * run.to - last + past } else { f64::INFINITY };
-    [Search { outline: low, inner: first, outer: below }, Search { outline: high, inner: last, outer: above }]
+    [
+        Search { outline: low, inner: first, outer: below, fold: folds[0] },
+        Search { outline: high, inner: last, outer: above, fold: folds[1] },
+    ]
 }
 
 impl Search<'_> {
@@ -107,11 +115,14 @@ fn beside(spots: &[Spot], search: &Search, h: f64) -> Vec<(Spot, f64)> {
     let (low, high) = search.range();
     let from = spots.partition_point(|s| s.height < low);
     let to = spots.partition_point(|s| s.height <= high);
+    // A vertex may lie a spacing farther off than the outline.
     let near = |s: &Spot| {
-        let off = search.outline.outline.off(s.at);
+        let off = search.outline.outline.off_within(s.at, (BESIDE + 1.0) * h)?;
         (off <= BESIDE * h).then_some((*s, off))
     };
-    spots[from..to].iter().filter_map(near).collect()
+    let found: Vec<(Spot, f64)> = spots[from..to].iter().filter_map(near).collect();
+    let step = found.len().div_ceil(ENOUGH).max(1);
+    found.into_iter().step_by(step).collect()
 }
 
 /// Which points lie on faces across the axis.
@@ -125,7 +136,8 @@ impl<'a> Faces<'a> {
         let mut wanted: Vec<u32> = near.iter().flatten().map(|(s, _)| s.index).collect();
         wanted.sort_unstable();
         wanted.dedup();
-        Self { sections, surface: surface::fit(&local.positions, index, &wanted, sections.noise) }
+        let surface = surface::fit(&local.positions, index, &wanted, sections.noise);
+        Self { sections, surface }
     }
 
     fn hold(&self, point: u32) -> bool {
@@ -166,11 +178,15 @@ fn settled(cluster: &[f64], h: f64, noise: f64) -> Option<(f64, f64)> {
     thin.then(|| (at(0.5), 1.3 * spread / (cluster.len() as f64).sqrt() + 1e-3 * h))
 }
 
-/// The last point of the wall, a little back for the noise.
-fn wall(beside: &[Beside], h: f64, noise: f64) -> Option<(f64, f64)> {
+/// The last point of the wall, a little back for the noise; `None` where the wall goes on to the end of the search, as
+/// when only a part of it ends.
+fn wall(beside: &[Beside], outer: f64, h: f64, noise: f64) -> Option<(f64, f64)> {
     let mut near = beside.iter().filter(|b| b.1 <= (0.5 + 2.0 * noise) * h && !b.2).map(|b| b.0);
     let first = near.next()?;
     let last = near.next_back().unwrap_or(first);
+    if (outer - last).abs() <= h {
+        return None;
+    }
     let back = 2.0 * noise * h * (last - first).signum();
     Some((last - back, (0.3 + noise) * h))
 }

@@ -14,8 +14,12 @@ use super::profile::{Apart, Profile};
 pub(super) const LEAST: usize = 4;
 /// How far an outline jumps, in tolerances, where an extrusion or a taper ends within a track.
 const JUMP: f64 = 3.0;
-/// How far a wall may stand from the slope of its run, degrees: without noise, and what noise (in spacings) adds.
-const SLOPE_DEG: (f64, f64) = (2.0, 10.0);
+/// How far the middle of a wall, and nine tenths of an extrusion's, may stand from the slope of the run, degrees: without
+/// noise, and what noise (in spacings) adds.
+const SLOPE_DEG: [(f64, f64); 2] = [(1.0, 8.0), (3.0, 12.0)];
+
+/// Slopes to the axis, degrees, at which a wall clearly folds away and its contours are sure.
+const SLANTED_DEG: (f64, f64) = (10.0, 75.0);
 
 /// A kind with the last contour it reaches and its residual.
 pub(super) type Reached = (usize, Feature, f64);
@@ -24,15 +28,15 @@ pub(super) type Reached = (usize, Feature, f64);
 pub(super) struct Kinds<'a> {
     all: &'a [&'a Profile],
     tolerance: f64,
-    slope: f64,
+    slopes: [f64; 2],
     pairs: RefCell<BTreeMap<(usize, usize), Apart>>,
 }
 
 impl<'a> Kinds<'a> {
     /// For outlines that agree within `tolerance`, in a cloud of this noise in spacings.
     pub(super) fn new(all: &'a [&'a Profile], tolerance: f64, noise: f64) -> Self {
-        let slope = SLOPE_DEG.0 + SLOPE_DEG.1 * noise;
-        Self { all, tolerance, slope, pairs: RefCell::new(BTreeMap::new()) }
+        let slopes = SLOPE_DEG.map(|(clean, noisy)| clean + noisy * noise);
+        Self { all, tolerance, slopes, pairs: RefCell::new(BTreeMap::new()) }
     }
 
     fn apart(&self, i: usize, j: usize) -> Apart {
@@ -55,8 +59,10 @@ impl<'a> Kinds<'a> {
             let (drift, jump) = (self.apart(end, middle), self.apart(next, middle));
             !jump.same(JUMP * self.tolerance) || drift.mean <= 0.2 * jump.mean
         };
-        let stands = self.stands(first, last, 0.0);
-        if !(stands && settled(first, first.checked_sub(1)) && settled(last, Some(last + 1))) {
+        if !(self.upright(first, last)
+            && settled(first, first.checked_sub(1))
+            && settled(last, Some(last + 1)))
+        {
             return None;
         }
         let own = &self.all[first..=last];
@@ -81,10 +87,42 @@ impl<'a> Kinds<'a> {
 
     /// Whether the walls of a run stand at this angle to the axis, as their own slopes have it.
     fn stands(&self, first: usize, last: usize, angle_deg: f64) -> bool {
-        let mut off: Vec<f64> =
-            self.all[first..=last].iter().map(|p| (p.draft_deg - angle_deg).abs()).collect();
-        let middle = off.len() / 2;
-        *off.select_nth_unstable_by(middle, f64::total_cmp).1 <= self.slope
+        self.median(first, last, |p| (p.draft_deg - angle_deg).abs()) <= self.slopes[0]
+    }
+
+    /// Whether the walls of a run stand along the axis all round: two slices at either side of a bore that lies along
+    /// them show the same outline, but walls that lean.
+    fn upright(&self, first: usize, last: usize) -> bool {
+        self.stands(first, last, 0.0) && self.median(first, last, |p| p.steepest_deg) <= self.slopes[1]
+    }
+
+    /// The median over a run; slices beside a face across the axis may stray.
+    fn median(&self, first: usize, last: usize, of: impl Fn(&Profile) -> f64) -> f64 {
+        let mut all: Vec<f64> = self.all[first..=last].iter().map(|p| of(p)).collect();
+        let middle = all.len() / 2;
+        *all.select_nth_unstable_by(middle, f64::total_cmp).1
+    }
+
+    /// Where the wall of a run folds into a slanted one, at its `end` towards the two contours `beyond`: at what height the
+    /// slanted wall meets the run's. The line of the slanted wall goes through both contours where they stand alike, else
+    /// through the more slanted one by its own slope, as a slice at the very fold shows a mean of both walls.
+    pub(super) fn fold(&self, end: usize, beyond: [Option<usize>; 2]) -> Option<f64> {
+        let even = |p: &&&Profile| {
+            let slope = p.draft_deg.abs();
+            (SLANTED_DEG.0..SLANTED_DEG.1).contains(&slope) && p.steepest_deg - slope <= self.slopes[1]
+        };
+        let near = beyond.into_iter().flatten().filter_map(|k| self.all.get(k)).filter(even);
+        let mut walls: Vec<&&Profile> = near.collect();
+        walls.sort_by(|p, q| q.draft_deg.abs().total_cmp(&p.draft_deg.abs()));
+        let own = self.all[end];
+        let p = walls.first()?;
+        let other = walls.get(1).filter(|q| (p.draft_deg - q.draft_deg).abs() <= self.slopes[1]);
+        let slope = other.map_or(p.draft_deg.to_radians().tan(), |q| {
+            (p.beyond(own) - q.beyond(own)) / (p.height - q.height)
+        });
+        let height = p.height - p.beyond(own) / slope;
+        let share = (height - own.height) / (p.height - own.height);
+        (0.0..1.0).contains(&share).then_some(height)
     }
 
     /// A taper from `first` that reaches farthest and ends at once, before `end`.

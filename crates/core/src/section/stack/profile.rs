@@ -32,6 +32,8 @@ pub(super) struct Profile {
     pub round: Option<Round>,
     /// Median angle between the wall and the axis, degrees.
     pub draft_deg: f64,
+    /// The angle that nine tenths of the wall stay under.
+    pub steepest_deg: f64,
 }
 
 /// How far two outlines lie apart.
@@ -75,7 +77,8 @@ fn profile(sections: &Sections, plane: usize, index: usize, tolerance: f64) -> P
         centroid: extent.centroid,
         round: round(&points, tolerance),
         draft_deg: contour.draft_deg.unwrap_or(0.0),
-        outline: Polyline::new(points, true),
+        steepest_deg: contour.steepest_deg,
+        outline: Polyline::new(&points, true, sections.spacing),
     }
 }
 

@@ -10,6 +10,8 @@ use super::{Feature, Run};
 pub(super) struct Found<'a> {
     pub run: Run,
     pub profiles: [&'a Profile; 3],
+    /// Heights at which the wall of an extrusion folds into a slanted one, below and above.
+    pub folds: [Option<f64>; 2],
 }
 
 /// The runs of a track. Extrusions come first, as they are the strictest: where the outline stays and then jumps. What
@@ -31,7 +33,14 @@ pub(super) fn runs<'a>(track: &Track<'a>, sections: &Sections, tolerance: f64) -
         let below = if first == 0 { track.below } else { Some(all[first - 1].height) };
         let above = if last + 1 == all.len() { track.above } else { Some(all[last + 1].height) };
         let run = run(own, [below, above], feature, residual, sections);
-        found.push(Found { run, profiles: [own[0], own[own.len() / 2], own[own.len() - 1]] });
+        let folds = match feature {
+            Feature::Extrusion { .. } => [
+                kinds.fold(first, [first.checked_sub(1), first.checked_sub(2)]),
+                kinds.fold(last, [Some(last + 1), Some(last + 2)]),
+            ],
+            _ => [None; 2],
+        };
+        found.push(Found { run, profiles: [own[0], own[own.len() / 2], own[own.len() - 1]], folds });
         first = last + 1;
     }
     found

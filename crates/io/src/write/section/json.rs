@@ -44,8 +44,13 @@ pub(super) fn write(out: &mut dyn Write, sections: &Sections, context: &SectionC
 }
 
 fn plane(out: &mut dyn Write, _: usize, section: &Section) -> io::Result<()> {
-    let Section { plane, height, points, contours, missing } = section;
-    write!(out, "{{\"plane\": {plane}, \"height\": {}, \"points\": {points}, ", Number(*height))?;
+    let Section { plane, height, slab, points, contours, missing } = section;
+    write!(out, "{{\"plane\": {plane}, \"height\": {}, \"slab\": ", Number(*height))?;
+    match slab {
+        Some([from, to]) => write!(out, "[{}, {}]", Number(*from), Number(*to))?,
+        None => write!(out, "null")?,
+    }
+    write!(out, ", \"points\": {points}, ")?;
     write!(out, "\"contours\": {}, \"missing\": ", contours.len())?;
     match missing {
         Some(missing) => write!(out, "{}}}", Text(&missing.reason())),
@@ -61,7 +66,8 @@ fn strip(out: &mut dyn Write, id: usize, (plane, index, c): &(usize, usize, &Con
     }
     write!(out, "\"depth\": {}, \"area\": {}, ", c.depth, Number(c.area))?;
     write!(out, "\"length\": {}, \"draft_deg\": ", Number(c.length))?;
-    write!(out, "{}, \"centroid\": {}, ", Number(c.draft_deg.unwrap_or(f64::NAN)), Point(&c.centroid))?;
+    write!(out, "{}, \"steepest_deg\": ", Number(c.draft_deg.unwrap_or(f64::NAN)))?;
+    write!(out, "{}, \"centroid\": {}, ", Number(c.steepest_deg), Point(&c.centroid))?;
     write!(out, "\"points\": [")?;
     list(out, &c.points, |out, _, point| write!(out, "{}", Point(point)))?;
     write!(out, "], \"corners\": [")?;

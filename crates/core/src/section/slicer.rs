@@ -1,0 +1,173 @@
+//! A cloud cut at any heights: what holds for all slices, and the way from a slab to its section.
+
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+use rayon::prelude::*;
+
+use super::carry::{self, Reach, Sample};
+use super::params::{self, Cut, SectionParams};
+use super::result::{self, Missing, Section, Sections};
+use super::slice::{self, Slabs, SliceFrame};
+use super::surface::{self, Surface, Texture};
+use super::{adaptive, outline};
+use crate::error::Error;
+use crate::frame::Localised;
+use crate::neighbors::Index;
+
+/// Fewest points of a slab that a curve is sought in.
+pub(super) const FEWEST: usize = 4;
+
+/// The cloud turned so that its third coordinate runs across the slices, with what holds for all of them.
+pub(super) struct Slicer<'a> {
+    params: &'a SectionParams,
+    frame: SliceFrame,
+    scale: f64,
+    /// World height of local height 0.
+    base: f64,
+    texture: Texture,
+    turned: Vec<[f64; 3]>,
+    observe: &'a (dyn Fn(f64) + Sync),
+}
+
+impl<'a> Slicer<'a> {
+    pub(super) fn new(
+        local: &Localised,
+        params: &'a SectionParams,
+        texture: Texture,
+        observe: &'a (dyn Fn(f64) + Sync),
+    ) -> Self {
+        let frame = slice::resolve(params.axis, &local.positions);
+        let turned = local.positions.par_iter().map(|&p| frame.coordinates(p)).collect();
+        let base = frame.coordinates(local.frame.offset)[2];
+        Self { params, frame, scale: local.frame.scale, base, texture, turned, observe }
+    }
+
+    /// The planes, world heights, in the order asked for.
+    pub(super) fn cuts(&self) -> Result<Vec<Cut>, Error> {
+        let (low, high) = self.extent();
+        params::cuts(&self.params.planes, low, high)
+    }
+
+    /// Least and greatest world height of the points; 0 for none.
+    fn extent(&self) -> (f64, f64) {
+        let bounds = |(low, high): (f64, f64), p: &[f64; 3]| (low.min(p[2]), high.max(p[2]));
+        let (low, high) = self.turned.iter().fold((f64::INFINITY, f64::NEG_INFINITY), bounds);
+        if low > high { (0.0, 0.0) } else { (self.base + self.scale * low, self.base + self.scale * high) }
+    }
+
+    /// Planes at the middles of adaptive slabs.
+    pub(super) fn adapted(&self, local: &Localised, index: &Index, start: usize, most: usize) -> Vec<Cut> {
+        let limits = adaptive::Limits {
+            start,
+            most,
+            thinnest: 2.0 * self.params.reach_spacings * self.texture.spacing * self.scale,
+            step: self.texture.spacing,
+            alike: (0.15 + 0.5 * self.texture.noise) * self.texture.spacing,
+        };
+        let slabs = adaptive::slabs(self.extent(), limits, |heights| self.cut(local, index, heights));
+        slabs.into_iter().map(|(low, high)| (0.5 * (low + high), Some([low, high]))).collect()
+    }
+
+    /// Half the thickness of a slab, local frame.
+    fn half(&self) -> f64 {
+        let auto = self.params.reach_spacings * self.texture.widest;
+        self.params.thickness.map_or(auto, |t| 0.5 * t / self.scale)
+    }
+
+    /// The sections at some world heights, in their order.
+    pub(super) fn cut(&self, local: &Localised, index: &Index, heights: &[f64]) -> Vec<Section> {
+        // Slabs want ascending planes; the order asked for comes back at the end.
+        let mut order: Vec<usize> = (0..heights.len()).collect();
+        order.sort_by(|&a, &b| heights[a].total_cmp(&heights[b]).then(a.cmp(&b)));
+        let ascending: Vec<f64> = order.iter().map(|&k| (heights[k] - self.base) / self.scale).collect();
+        let slabs = Slabs::of(&self.turned, &ascending, self.half());
+        let wanted = slabs.union(self.turned.len());
+        let surface = surface::fit(&local.positions, index, &wanted, self.texture.noise);
+        let done = AtomicUsize::new(0);
+        let cut = |(slot, &plane): (usize, &usize)| {
+            let place = Place { plane, height: heights[plane], local: ascending[slot] };
+            let section = self.section(slabs.of_plane(slot), &surface, place);
+            (self.observe)((done.fetch_add(1, Relaxed) + 1) as f64 / order.len() as f64);
+            section
+        };
+        let mut sections: Vec<Section> = order.par_iter().enumerate().map(cut).collect();
+        sections.sort_by_key(|s| s.plane);
+        sections
+    }
+
+    fn section(&self, slab: &[u32], surface: &Surface, place: Place) -> Section {
+        let samples = self.samples(slab, surface, place.local);
+        let chains = outline::contours(&samples, self.params, &self.texture);
+        let missing = match (slab.len(), chains.len()) {
+            (0, _) => Some(Missing::Empty),
+            (n, 0) if n < FEWEST => Some(Missing::TooFewPoints(n)),
+            (n, 0) => Some(Missing::NoCurve(n)),
+            _ => None,
+        };
+        let tolerance = self.params.tolerance.map_or_else(|| self.tolerance(), |t| t / self.scale);
+        let contours = result::contours(chains, self.params.fit.then_some(tolerance));
+        Section {
+            plane: place.plane,
+            height: place.height,
+            slab: None,
+            points: slab.len(),
+            contours,
+            missing,
+        }
+    }
+
+    /// What the smoothing leaves of the noise, with room for a curve to differ.
+    fn tolerance(&self) -> f64 {
+        (0.1 + 0.6 * self.texture.noise) * self.texture.spacing
+    }
+
+    fn samples(&self, slab: &[u32], surface: &Surface, height: f64) -> Vec<Sample> {
+        let half = self.params.thickness.map(|t| 0.5 * t / self.scale);
+        let turn = |i: u32| {
+            let mut patch = *surface.at(i)?;
+            patch.normal = self.frame.coordinates(patch.normal);
+            patch.centre = self.frame.coordinates(patch.centre);
+            patch.centre[2] -= height;
+            let [x, y, z] = self.turned[i as usize];
+            let reach = Reach {
+                half: half.map_or(self.params.reach_spacings, |h| h / patch.spacing),
+                noise: self.texture.noise,
+                carry: self.params.carry,
+            };
+            carry::carry([x, y, z - height], &patch, reach)
+        };
+        slab.iter().filter_map(|&i| turn(i)).collect()
+    }
+
+    /// Brings sections from the slice frame to the world.
+    pub(super) fn finish(
+        &self,
+        mut sections: Vec<Section>,
+        local: &Localised,
+        heights: Vec<f64>,
+    ) -> Sections {
+        let world = |height: f64| {
+            let third = (height - self.base) / self.scale;
+            move |p: [f64; 2]| local.frame.to_world(self.frame.vector([p[0], p[1], third]))
+        };
+        for section in &mut sections {
+            let to_world = world(section.height);
+            section.contours.iter_mut().for_each(|c| c.place(&to_world, self.scale));
+        }
+        Sections {
+            frame: self.frame,
+            heights,
+            spacing: self.texture.spacing * self.scale,
+            noise: self.texture.noise,
+            sections,
+        }
+    }
+}
+
+/// One plane: its index, its world height and its height in the slice frame.
+#[derive(Clone, Copy)]
+struct Place {
+    plane: usize,
+    height: f64,
+    local: f64,
+}
