@@ -11,7 +11,7 @@ use crate::neighbors::{Neighbors, all_nearest, riemannian};
 use crate::network::Network;
 use crate::params::{SegmentForm, SegmentParams};
 use crate::pattern::Pattern;
-use crate::recover::recover;
+use crate::recover::{recover, settle};
 use crate::resolution::Resolution;
 use crate::{Cloud, Error, Method, Params};
 use std::time::Instant;
@@ -311,5 +311,8 @@ fn to_world(mut network: Network, frame: &Frame, source: &[u32]) -> Network {
             *s = source[*s as usize];
         }
     }
+    // Far coordinates can be too coarse for a short line.
+    network.strips.retain(|strip| strip.points.len() >= if strip.closed { 3 } else { 2 });
+    settle(&mut network);
     network
 }

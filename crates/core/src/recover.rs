@@ -5,6 +5,7 @@ mod strips;
 mod tidy;
 
 pub use strips::{Path, paths};
+pub use tidy::settle;
 
 use crate::curve::{FitOptions, fit};
 use crate::math::vec3::{distance, distance2};

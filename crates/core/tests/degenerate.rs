@@ -173,3 +173,14 @@ fn two_cubes_far_apart_are_two_cubes() {
         assert_eq!(shape, (24, 16), "{distance:e} apart");
     }
 }
+
+/// Lines that shrink to a point of the written coordinates are left out, and so are the nodes that nothing else meets.
+#[test]
+fn lines_below_the_resolution_of_far_coordinates_are_left_out() {
+    let ladder = (0..48).map(|k| [0.0, 1e-270 * f64::from(k % 5), 10_f64.powi(5 * k - 300)]);
+    let far = [[0.0; 3], [0.5, 1.0, 0.25], [1.0, 2.0, 0.5], [1.5, 3.0, 0.0], [0.0, 3.0e-5, 0.0]];
+    let points: Points = ladder.chain(far).collect();
+    for result in both("heights from 1e-300 to 1e-65 among points 1 apart", &points).into_iter().flatten() {
+        assert!(result.network.nodes.iter().all(|node| node.degree > 0));
+    }
+}

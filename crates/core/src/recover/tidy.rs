@@ -13,6 +13,25 @@ pub fn tidy(network: &mut Network) {
     count(network);
 }
 
+/// Leaves out the nodes that no strip meets, and counts what meets in the others.
+pub fn settle(network: &mut Network) {
+    let mut met = vec![false; network.nodes.len()];
+    network.strips.iter().flat_map(|s| [s.start, s.end]).flatten().for_each(|end| met[end as usize] = true);
+    let number: Vec<u32> = met
+        .iter()
+        .scan(0, |kept, &m| {
+            *kept += u32::from(m);
+            Some(*kept - u32::from(m))
+        })
+        .collect();
+    let mut met = met.into_iter();
+    network.nodes.retain(|_| met.next().unwrap_or(false));
+    for end in network.strips.iter_mut().flat_map(|s| [&mut s.start, &mut s.end]).flatten() {
+        *end = number[*end as usize];
+    }
+    count(network);
+}
+
 fn unite(network: &mut Network) {
     let mut places: BTreeMap<[u64; 3], u32> = BTreeMap::new();
     let mut kept = Vec::new();
