@@ -28,6 +28,8 @@ pub enum Command {
     Extract(Extract),
     /// Say of each point whether it lies on a line: 0 smooth, 1 crease, 2 border, 3 corner
     Classify(Classify),
+    /// Divide a scan into its smooth patches and write their points, boundary loops and surfaces
+    Patches(Patches),
     /// Draw a scan and its lines as a PNG picture
     Render(Render),
     /// Cut a scan by planes and write the curves in which they meet its surface
@@ -66,6 +68,10 @@ pub struct Extract {
     /// Millimetres of a drawing (SVG) for one unit of the input [default: fit 200 mm]
     #[arg(long, value_name = "MM", value_parser = parse::length)]
     pub millimetres: Option<f64>,
+    /// Write what the method `segments` goes through into this folder: its segmentation, each of its graphs (PLY), their
+    /// counts and times (stages.json); of several inputs each into a folder of its own in it
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub stages: Option<PathBuf>,
     #[command(flatten)]
     pub work: Work,
 }
@@ -84,6 +90,21 @@ pub struct Classify {
     /// Write the score of every detector as an attribute of the points, in any format but NPY
     #[arg(long)]
     pub scores: bool,
+    #[command(flatten)]
+    pub work: Work,
+}
+
+/// Arguments of `patches`.
+#[derive(Debug, ClapArgs)]
+#[command(after_help = help::PATCHES_HELP)]
+pub struct Patches {
+    /// Where to write the patches; the extension says what and how. May be given several times; a folder gets
+    /// NAME.patches.json and NAME.patches.ply, `{stem}` stands for the input's name, `-` is JSON on standard output
+    #[arg(short, long, value_name = "OUT", required = true, value_hint = ValueHint::FilePath)]
+    pub output: Vec<PathBuf>,
+    /// Write what the method `segments` goes through into this folder, as `extract` does
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub stages: Option<PathBuf>,
     #[command(flatten)]
     pub work: Work,
 }

@@ -13,7 +13,14 @@ use crate::failure::{Code, Failure};
 /// # Errors
 /// Input if the file cannot be read or is not TOML; refused if a key is unknown or a value out of range.
 pub fn params(tuning: &Tuning) -> Result<Params, Failure> {
-    let mut params = Params::default();
+    params_from(Params::default(), tuning)
+}
+
+/// As [`params`], with other values than the defaults to begin with.
+///
+/// # Errors
+/// As [`params`].
+pub fn params_from(mut params: Params, tuning: &Tuning) -> Result<Params, Failure> {
     if let Some(path) = &tuning.params {
         file::read(path, &mut params)?;
     }

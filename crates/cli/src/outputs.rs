@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use lineament_io as io;
 
-pub use plan::{filled, plan};
+pub use plan::{filled, make, plan};
 
 use crate::failure::{Code, Failure};
 use crate::interrupt;

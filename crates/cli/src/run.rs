@@ -6,8 +6,10 @@ mod extract;
 mod info;
 mod man;
 mod params;
+mod patches;
 mod render;
 mod section;
+mod stages;
 
 use crate::args::Command;
 use crate::failure::Failure;
@@ -17,6 +19,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
     match command {
         Command::Extract(args) => extract::run(&args),
         Command::Classify(args) => classify::run(&args),
+        Command::Patches(args) => patches::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Section(args) => section::run(&args),
         Command::Slices(args) => section::slices(&args),

@@ -31,8 +31,19 @@ pub fn prepare<'a, F, E: Into<Failure>>(
     suffixes: &[&str],
     known: impl Fn(&Path) -> Result<F, E>,
 ) -> Result<Work<'a>, Failure> {
+    prepare_from(Params::default(), args, asked, suffixes, known)
+}
+
+/// As [`prepare`], for a command that has other values than the defaults to begin with.
+pub fn prepare_from<'a, F, E: Into<Failure>>(
+    params: Params,
+    args: &'a args::Work,
+    asked: &[PathBuf],
+    suffixes: &[&str],
+    known: impl Fn(&Path) -> Result<F, E>,
+) -> Result<Work<'a>, Failure> {
     config::threads(&args.running)?;
-    let params = config::params(&args.tuning)?;
+    let params = config::params_from(params, &args.tuning)?;
     let origins = source::origins(&args.source)?;
     let inputs = source::files(&origins);
     let plan = outputs::plan(&origins, asked, suffixes)?;
@@ -49,6 +60,11 @@ impl Work<'_> {
         batch::run(&summary::HEADER, &self.origins, &self.args.running, |i, origin| {
             treat(origin, &self.plan[i])
         })
+    }
+
+    /// The number of inputs.
+    pub fn count(&self) -> usize {
+        self.origins.len()
     }
 
     /// Reads an input.

@@ -211,3 +211,52 @@ fn every_format_that_the_help_lists_is_written() {
         }
     }
 }
+
+#[test]
+fn patches_writes_labelled_points_loops_and_surfaces() {
+    let sandbox = Sandbox::new();
+    sandbox.write_points("cube.xyz", &cube());
+    let args = ["patches", "cube.xyz", "-o", "a.json", "-o", "b.csv", "-o", "c.dxf"];
+    sandbox.run(&args).expect(0).says(&["6 patches, 6 planes", "12 of 12 creases lie between two patches"]);
+    let root = json(&sandbox.path("a.json"));
+    assert_eq!(root["method"], "segments");
+    let patches = root["patches"].as_array().unwrap();
+    assert_eq!(patches.len(), 6);
+    for patch in patches {
+        assert_eq!(patch["surface"]["type"], "plane");
+        assert_eq!(patch["loops"][0]["strips"].as_array().unwrap().len(), 4);
+        assert_eq!(patch["neighbors"].as_array().unwrap().len(), 4);
+    }
+    for strip in root["strips"].as_array().unwrap() {
+        assert_eq!(strip["convex"], true);
+        assert_ne!(strip["left"], strip["right"]);
+    }
+    let points = sandbox.read_text("b.csv");
+    assert_eq!(points.lines().count(), 387);
+    let (header, first) = (points.lines().next().unwrap(), points.lines().nth(1).unwrap());
+    let column = header.split(',').position(|name| name == "patch").unwrap();
+    let label: usize = first.split(',').nth(column).unwrap().parse().unwrap();
+    assert!(label < 6);
+    let drawing = sandbox.read_text("c.dxf");
+    assert_eq!(drawing.matches("POLYLINE\n8\nPATCH_").count(), 6);
+}
+
+#[test]
+fn stages_writes_every_graph_of_the_method_segments_and_of_no_other() {
+    let sandbox = Sandbox::new();
+    sandbox.write_points("cube.xyz", &cube());
+    let args = ["extract", "cube.xyz", "-o", "a.json", "--stages", "steps"];
+    sandbox.run(&args).expect(2).says(&["--method segments"]);
+    sandbox.run(&[args.as_slice(), &["--method", "segments"]].concat()).expect(0).says(&["stages.json"]);
+    let graphs = ["G_all", "G_extended", "G_pruned_mst", "G_pruned_branches", "G_closed", "G_smooth"];
+    let table = json(&sandbox.path("steps/stages.json"));
+    assert_eq!(table["points"], 386);
+    for (name, row) in graphs.iter().zip(table["graphs"].as_array().unwrap()) {
+        assert_eq!(row["name"], *name);
+        let file = sandbox.read(&format!("steps/{name}.ply"));
+        let header = String::from_utf8_lossy(&file[..400.min(file.len())]).into_owned();
+        assert!(header.starts_with("ply\n") && header.contains("element edge"), "{header}");
+    }
+    assert_eq!(table["graphs"][4]["open_ends"], 0);
+    assert!(sandbox.path("steps/segmentation.ply").exists());
+}

@@ -23,10 +23,16 @@ fn clouds() -> Vec<(&'static str, Vec<[f64; 3]>)> {
 
 /// The bytes of the OBJ and the JSON file that come of these points.
 fn written(points: &[[f64; 3]], threads: &str) -> [Vec<u8>; 2] {
+    written_by("extract", ["a.obj", "a.json"], points, threads)
+}
+
+/// The bytes of the files that a command makes of these points.
+fn written_by(command: &str, names: [&str; 2], points: &[[f64; 3]], threads: &str) -> [Vec<u8>; 2] {
     let sandbox = Sandbox::new();
     sandbox.write_points("cloud.xyz", points);
-    sandbox.run(&["extract", "cloud.xyz", "-o", "a.obj", "-o", "a.json", "--threads", threads]).expect(0);
-    ["a.obj", "a.json"].map(|name| sandbox.read(name))
+    let [a, b] = names;
+    sandbox.run(&[command, "cloud.xyz", "-o", a, "-o", b, "--threads", threads]).expect(0);
+    names.map(|name| sandbox.read(name))
 }
 
 /// The JSON document in the numbering of the cloud before it was put in this order; without the input's checksum.
@@ -76,6 +82,26 @@ fn order_of_the_points_changes_no_byte_of_obj_and_the_numbering_alone_in_json() 
             let [other_obj, other_json] = written(&moved, "2");
             assert!(obj == other_obj, "{name}: OBJ differs in order {seed}");
             assert_eq!(json, unordered(&other_json, &order), "{name}: JSON differs in order {seed}");
+        }
+    }
+}
+
+#[test]
+fn patches_are_the_same_for_any_number_of_threads_and_any_order_of_the_points() {
+    for (name, points) in clouds() {
+        let written =
+            |points: &[[f64; 3]], threads| written_by("patches", ["a.dxf", "a.json"], points, threads);
+        let order: Vec<u32> = (0..points.len() as u32).collect();
+        let one = written(&points, "1");
+        for threads in ["2", "4", "8"] {
+            assert!(one == written(&points, threads), "{name} differs with {threads} threads");
+        }
+        for seed in 1..=4 {
+            let moved_order = shuffled(points.len(), seed);
+            let moved: Vec<[f64; 3]> = moved_order.iter().map(|&i| points[i as usize]).collect();
+            let [dxf, json] = written(&moved, "2");
+            assert!(one[0] == dxf, "{name}: DXF differs in order {seed}");
+            assert_eq!(unordered(&one[1], &order), unordered(&json, &moved_order), "{name}: order {seed}");
         }
     }
 }

@@ -37,6 +37,14 @@ fn main() -> Result<(), lineament::Error> {
                 );
             }
             println!("  strips {}, loops {}", result.network.strips.len(), result.network.loops());
+            let steps: f64 = clusters.segmented.seconds.iter().map(|s| s.1).sum();
+            let graphs: f64 = clusters.graphs.iter().map(|g| g.seconds).sum();
+            if let Some((_, search)) = clusters.segmented.seconds.iter().find(|s| s.0 == "neighbors") {
+                println!("  all steps together take {:.2} times the search", (steps + graphs) / search);
+            }
+            if let Some(patches) = &result.patches {
+                println!("  patches {}, creases between two {}", patches.patches.len(), patches.separating());
+            }
         }
     }
     Ok(())

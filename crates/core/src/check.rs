@@ -3,12 +3,14 @@
 mod curve;
 mod isomorphism;
 mod nodes;
+mod patches;
 mod score;
 mod strips;
 
 use crate::network::Network;
 
 pub use isomorphism::isomorphic;
+pub use patches::patches;
 pub use score::{Distances, Hits, Score, against};
 pub(crate) use strips::trace;
 

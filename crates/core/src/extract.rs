@@ -3,13 +3,14 @@
 use crate::detect::segments::steps::{self, Segmented};
 use crate::detect::{detect, penalty, projection};
 use crate::frame::{Frame, Localised, on_grid};
-use crate::link::clusters::{GraphStage, link_paper, link_robust};
+use crate::link::clusters::{GraphStage, border, link_paper, link_robust};
 use crate::link::{Reach, link, reach};
 use crate::math::vec3::{cross, norm, sub};
 use crate::measure::{Class, Measure};
 use crate::neighbors::{Neighbors, all_nearest, riemannian};
 use crate::network::Network;
 use crate::params::{SegmentForm, SegmentParams};
+use crate::patch::{Ground, NO_PATCH, Patches, patches};
 use crate::pattern::Pattern;
 use crate::recover::{recover, settle};
 use crate::resolution::Resolution;
@@ -35,6 +36,8 @@ pub struct Extraction {
     pub clusters: Option<ClusterStages>,
     /// The result, world frame, sources as indices of the input.
     pub network: Network,
+    /// The patches between the strips, world frame, where they were asked for.
+    pub patches: Option<Patches>,
 }
 
 /// What happened, for a summary.
@@ -73,6 +76,8 @@ pub enum Stage {
     Link,
     /// Strips, nodes and curves.
     Recover,
+    /// Patches and their loops.
+    Patches,
 }
 
 impl Stage {
@@ -84,6 +89,7 @@ impl Stage {
             Stage::Detect => "detect",
             Stage::Link => "link",
             Stage::Recover => "recover",
+            Stage::Patches => "patches",
         }
     }
 }
@@ -139,6 +145,11 @@ pub fn extract_observed(
     let (pattern, clusters) =
         clock.run(Stage::Link, || linked(&positions, &graph, &mut measure, resolution, params, reach));
     let network = clock.run(Stage::Recover, || recover(&pattern, resolution, &params.spline));
+    let wanted = params.patches.find.or(|| params.method == Method::Segments);
+    let patches = wanted.then(|| {
+        let ground = Ground { points: &positions, graph: &graph, normals: &measure.normal, resolution };
+        clock.run(Stage::Patches, || patches(&ground, &network))
+    });
 
     if measure.class.is_empty() {
         measure.class = crate::classify::classes(&positions, &network, resolution);
@@ -152,10 +163,11 @@ pub fn extract_observed(
         noise: frame.length_to_world(resolution.noise),
         stages: clock.stages,
         settings: settings(params, resolution, reach),
-        notes: notes(params, resolution),
+        notes: notes(params, resolution, clusters.as_ref()),
     };
     let network = to_world(network, &frame, &source);
-    Ok(Extraction { report, frame, source, canonical, measure, pattern, clusters, network })
+    let patches = patches.map(|p| p.placed(&frame));
+    Ok(Extraction { report, frame, source, canonical, measure, pattern, clusters, network, patches })
 }
 
 impl Extraction {
@@ -173,6 +185,12 @@ impl Extraction {
             .iter()
             .map(|&c| self.measure.score.get(c as usize).copied().unwrap_or(f32::NAN))
             .collect()
+    }
+
+    /// `(N)` the patch of every point of the input, in its order; [`NO_PATCH`] for none, and where none were looked for.
+    pub fn patch_labels(&self) -> Vec<u32> {
+        let label = |c: u32| self.patches.as_ref().and_then(|p| p.label.get(c as usize).copied());
+        self.canonical.iter().map(|&c| label(c).unwrap_or(NO_PATCH)).collect()
     }
 }
 
@@ -217,8 +235,14 @@ fn segmented(
 ) -> (Pattern, ClusterStages) {
     let (segmented, linked) = match params.form {
         SegmentForm::Paper => {
-            let segmented = steps::paper(positions, params, measure);
-            let linked = link_paper(positions, &segmented.rings, &segmented.segments, resolution, params);
+            let candidates = std::mem::take(&mut measure.border);
+            let density = std::mem::take(&mut measure.density);
+            let segmented = steps::paper(positions, resolution, params, measure);
+            measure.density = density;
+            let smooth = if segmented.rounds > 0 { &segmented.smoothed } else { positions };
+            let border = border(graph, measure, &candidates, resolution, reach);
+            let linked =
+                link_paper(smooth, &segmented.rings, &segmented.segments, border, resolution, params);
             (segmented, linked)
         }
         SegmentForm::Robust => {
@@ -285,10 +309,13 @@ fn settings(params: &Params, resolution: Resolution, reach: crate::link::Reach) 
     ]
 }
 
-fn notes(params: &Params, resolution: Resolution) -> Vec<String> {
+fn notes(params: &Params, resolution: Resolution, clusters: Option<&ClusterStages>) -> Vec<String> {
+    let hops = penalty::derive(&params.penalty, resolution).hops;
+    let noisy = |c: &ClusterStages| c.segmented.note(&params.segments, resolution, hops);
     match params.method {
         Method::Projection => projection::warning(resolution).into_iter().collect(),
-        _ => Vec::new(),
+        Method::Segments => clusters.and_then(noisy).into_iter().collect(),
+        Method::Penalty => Vec::new(),
     }
 }
 

@@ -69,27 +69,39 @@ pub fn link(
     params: &SpanningParams,
     reach: Reach,
 ) -> Pattern {
-    let lines = |wanted: bool, kind: StripKind, penalties: &Penalties, hops: usize| -> LineGraph {
-        if !wanted {
-            return LineGraph::default();
-        }
-        let edges = candidate_edges(graph, measure, penalties, resolution, params.tau, hops);
-        let mut lines = minimum_spanning_graph(penalties, &edges, resolution, reach);
-        prune(&mut lines, resolution, reach);
-        if reach.openness > 0.0 {
-            judge(&mut lines, resolution, reach);
-            bridge(&mut lines, kind, resolution);
-            prune(&mut lines, resolution, Reach { rho: SPURS * reach.rho, ..reach });
-            corners(&mut lines, kind, resolution);
-        }
-        lines
+    let lines = |wanted: bool, kind: StripKind, penalties: &Penalties| match wanted {
+        true => lines_of(graph, measure, penalties, resolution, params.tau, reach, kind),
+        false => LineGraph::default(),
     };
     let mut pattern = Pattern {
-        crease: lines(params.creases, StripKind::Crease, &measure.crease, 1),
-        border: lines(params.borders, StripKind::Border, &measure.border, reach.border_hops),
+        crease: lines(params.creases, StripKind::Crease, &measure.crease),
+        border: lines(params.borders, StripKind::Border, &measure.border),
     };
     if reach.openness > 0.0 {
         dock(&mut pattern, resolution);
     }
     pattern
+}
+
+/// The lines of one kind.
+pub(crate) fn lines_of(
+    graph: &Neighbors,
+    measure: &Measure,
+    penalties: &Penalties,
+    resolution: Resolution,
+    tau: f64,
+    reach: Reach,
+    kind: StripKind,
+) -> LineGraph {
+    let hops = if kind == StripKind::Border { reach.border_hops } else { 1 };
+    let edges = candidate_edges(graph, measure, penalties, resolution, tau, hops);
+    let mut lines = minimum_spanning_graph(penalties, &edges, resolution, reach);
+    prune(&mut lines, resolution, reach);
+    if reach.openness > 0.0 {
+        judge(&mut lines, resolution, reach);
+        bridge(&mut lines, kind, resolution);
+        prune(&mut lines, resolution, Reach { rho: SPURS * reach.rho, ..reach });
+        corners(&mut lines, kind, resolution);
+    }
+    lines
 }

@@ -93,6 +93,12 @@ sections! {
         /// Distance between the points that a curve is written with.
         step_spacings: f64 = 0.5, "spacings", 0.01..=100.0;
     }
+
+    /// The patches between the lines.
+    patches: PatchParams {
+        /// Whether the patches are found; auto: with the method `segments`.
+        find: Auto<bool> = Auto::Auto, "", 0.0..=0.0;
+    }
 }
 
 /// Which form of Gumhold's penalties is used.

@@ -28,8 +28,9 @@ pub use format::Format;
 pub use output::{Output, check_output};
 pub use read::{LasFrame, LasRecord, Missing, ReadOptions, Scan, read, read_all, read_from};
 pub use write::{
-    NetworkContext, NetworkFormat, Parameter, PointFormat, PointTable, network_format, point_format,
-    write_network, write_network_to, write_points, write_points_to,
+    NetworkContext, NetworkFormat, Parameter, PatchFormat, PointFormat, PointTable, network_format,
+    patch_format, point_format, write_network, write_network_to, write_patches, write_points,
+    write_points_to, write_stages,
 };
 pub use write::{
     SectionContext, SectionFormat, section_format, write_sections, write_sections_to, write_slice_picture,

@@ -12,6 +12,7 @@ mod network_ply;
 mod npy;
 mod npz;
 mod parquet;
+mod patches;
 mod point_rows;
 mod points_las;
 mod points_pcd;
@@ -20,17 +21,20 @@ mod points_text;
 mod polyline;
 mod section;
 mod sqlite;
+mod stages;
 mod svg;
 mod vtp;
 
+pub use patches::{PatchFormat, patch_format, write_patches};
 pub use section::{
     SectionContext, SectionFormat, section_format, write_sections, write_sections_to, write_slice_picture,
 };
+pub use stages::write_stages;
 
 use crate::error::Error;
 use crate::output::Output;
 use crate::read::LasFrame;
-use lineament::{Cloud, Network};
+use lineament::{Cloud, Network, Patches};
 use std::fmt;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -62,6 +66,8 @@ pub struct NetworkContext {
     pub view: Option<[f64; 3]>,
     /// Millimetres of a drawing for one unit of the input; `None` fits the drawing to 200 mm.
     pub millimetres: Option<f64>,
+    /// The patches between the strips, if they were looked for.
+    pub patches: Option<Patches>,
 }
 
 /// A parameter and its value.

@@ -56,6 +56,18 @@ Examples:
   lineament classify part.ply -o sharp.npy --detector projection
   lineament classify part.ply -o part.scores.ply --scores";
 
+pub const PATCHES_HELP: &str = "\
+Formats by extension:
+  .json                           loops, neighbours, areas and surfaces, in the schema lineament-network/1
+  .dxf                            the loops as 3D polylines, a layer a patch
+  .ply .pcd .xyz .csv .las .laz   the points and their attributes, with the patch of each; -1 for none
+
+The lines are those of the method `segments` unless --method, --params or --set says otherwise.
+
+Examples:
+  lineament patches part.ply -o part.patches.json -o part.patches.ply
+  lineament patches part.ply -o part.dxf";
+
 pub const RENDER_HELP: &str = "\
 Creases are red, borders blue, junctions black, corners green, ends pink. What the surface hides is
 faint and dashed.

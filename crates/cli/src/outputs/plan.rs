@@ -68,7 +68,8 @@ fn ends_in_slash(path: &Path) -> bool {
     path.as_os_str().to_string_lossy().ends_with(['/', MAIN_SEPARATOR])
 }
 
-fn make(folder: &Path) -> Result<(), Failure> {
+/// Makes a folder and those above it.
+pub fn make(folder: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(folder)
         .map_err(|e| Failure::new(Code::Output, format!("{}: cannot make the folder: {e}", folder.display())))
 }

@@ -9,6 +9,7 @@ use lineament_io::{
     LasFrame, NetworkContext, NetworkFormat, Parameter, ReadOptions, network_format, write_network,
 };
 
+use super::stages;
 use crate::args::Extract;
 use crate::batch::Done;
 use crate::config::text;
@@ -27,7 +28,8 @@ pub fn run(args: &Extract) -> Result<(), Failure> {
     }
     let view = view(&args.view)?;
     let work = work::prepare(&args.work, &args.output, &SUFFIXES, network_format)?;
-    work.each(|origin, outputs| one(&work, origin, outputs, view, args.millimetres))
+    stages::check(&work, args.stages.as_deref())?;
+    work.each(|origin, outputs| one(&work, args, origin, outputs, view))
 }
 
 /// The direction in which drawings look; `None` for the best one.
@@ -40,29 +42,31 @@ fn view(text: &str) -> Result<Option<[f64; 3]>, Failure> {
 
 fn one(
     work: &Work,
+    args: &Extract,
     origin: &Origin,
     outputs: &[PathBuf],
     view: Option<[f64; 3]>,
-    millimetres: Option<f64>,
 ) -> Result<Done, Failure> {
     let start = Instant::now();
     let hash = outputs.iter().any(|path| matches!(network_format(path), Ok(NetworkFormat::Json)));
     let input = work.load(origin, &ReadOptions { attributes: false, hash, ..Default::default() })?;
     let found = work.extract(origin, &input)?;
-    let context = NetworkContext { view, millimetres, ..context(&input, &work.params, &found) };
+    let context =
+        NetworkContext { view, millimetres: args.millimetres, ..context(&input, &work.params, &found) };
     let writing = Instant::now();
     for path in outputs {
         outputs::write(path, || write_network(path, &work.inputs, &found.network, &context))?;
     }
+    let staged = stages::write(work, args.stages.as_deref(), origin, &input.cloud, &found)?;
     let [wrote, total] = [writing, start].map(|t| t.elapsed().as_secs_f64());
     let mut lines = summary::of(&input, &found, work.args.running.verbose);
     lines.push(summary::times(&input, &found.report, wrote, total));
-    lines.push(summary::written(outputs));
+    lines.push(summary::written(&[outputs, &staged].concat()));
     Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), total) })
 }
 
 /// What an output says of where its lines come from.
-fn context(input: &Input, params: &Params, found: &Extraction) -> NetworkContext {
+pub(super) fn context(input: &Input, params: &Params, found: &Extraction) -> NetworkContext {
     let entries = params.entries();
     let parameters = entries.iter().map(|e| Parameter { key: e.key.clone(), value: text::value(&e.value) });
     let method = entries.iter().find(|e| e.key == "method").map(|e| e.value.clone());
@@ -77,6 +81,7 @@ fn context(input: &Input, params: &Params, found: &Extraction) -> NetworkContext
         noise: Some(found.report.noise),
         crs: input.crs.clone(),
         crs_wkt: input.las.as_ref().and_then(LasFrame::wkt),
+        patches: found.patches.clone(),
         ..NetworkContext::default()
     }
 }

@@ -9,12 +9,13 @@
 //! small clusters is given to the large one beside it, and the places where large clusters meet are known for every point.
 
 mod absorb;
+mod smoothing;
 pub mod steps;
 
 pub use absorb::absorb;
 
 use crate::math::union_find::UnionFind;
-use crate::math::vec3::dot;
+use crate::math::vec3::{distance, dot};
 use crate::neighbors::Neighbors;
 
 /// The clusters of a cloud.
@@ -54,9 +55,29 @@ impl Segmentation {
         Self::numbered(&roots, least)
     }
 
+    /// Takes small clusters apart whose points lie farther than `reach` from the first of them: each point its own cluster.
+    ///
+    /// Of perfectly aligned points all normals along a straight edge are the same, so that the whole edge is one cluster, which
+    /// its centre cannot stand for. Scans have none of these.
+    pub fn take_apart(self, points: &[[f64; 3]], reach: f64) -> Segmentation {
+        let mut first = vec![u32::MAX; self.size.len()];
+        let mut wide = vec![false; self.size.len()];
+        for (i, &c) in self.label.iter().enumerate().filter(|(_, c)| !self.large[**c as usize]) {
+            let start = &mut first[c as usize];
+            *start = (*start).min(i as u32);
+            wide[c as usize] |= distance(points[*start as usize], points[i]) > reach;
+        }
+        let root = |(i, &c): (usize, &u32)| if wide[c as usize] { i as u32 } else { c + points.len() as u32 };
+        let roots: Vec<u32> = self.label.iter().enumerate().map(root).collect();
+        let large: Vec<bool> = self.label.iter().map(|&c| self.large[c as usize]).collect();
+        let mut apart = Self::numbered(&roots, 1);
+        apart.label.iter().zip(large).for_each(|(&c, l)| apart.large[c as usize] = l);
+        apart
+    }
+
     /// Clusters from any representative of each point's set.
     fn numbered(roots: &[u32], least: u32) -> Segmentation {
-        let mut number = vec![u32::MAX; roots.len()];
+        let mut number = vec![u32::MAX; roots.iter().max().map_or(0, |&r| r as usize + 1)];
         let (mut label, mut size) = (Vec::with_capacity(roots.len()), Vec::new());
         for &root in roots {
             let slot = &mut number[root as usize];
@@ -68,7 +89,9 @@ impl Segmentation {
             label.push(*slot);
         }
         let mean = roots.len() as f64 / size.len().max(1) as f64;
-        let large = size.iter().map(|&s| f64::from(s) > mean && s >= least).collect();
+        // Of a single cluster, which is its own mean, the whole surface is one face.
+        let one = size.len() == 1;
+        let large = size.iter().map(|&s| (f64::from(s) > mean || one) && s >= least).collect();
         Segmentation { label, size, large }
     }
 

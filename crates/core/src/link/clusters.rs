@@ -10,6 +10,7 @@ mod extend;
 mod forest;
 mod ground;
 mod group;
+mod include;
 mod open;
 mod paper;
 mod reroute;
@@ -19,7 +20,7 @@ mod smooth;
 pub use extend::extend;
 pub use forest::forest;
 pub use paper::link_paper;
-pub use robust::link_robust;
+pub use robust::{border, link_robust};
 
 use crate::link::Candidate;
 use crate::pattern::{LineGraph, Pattern};

@@ -17,7 +17,7 @@ const VERTEX_3D: u8 = 32;
 /// flag and do not repeat their first point.
 pub(super) fn write(out: &mut dyn Write, network: &Network) -> io::Result<()> {
     header(out, network)?;
-    tables(out)?;
+    tables(out, &LAYERS.map(|(name, colour)| (name.into(), colour)))?;
     write!(out, "0\nSECTION\n2\nENTITIES\n")?;
     for strip in &network.strips {
         polyline(out, strip)?;
@@ -29,7 +29,7 @@ pub(super) fn write(out: &mut dyn Write, network: &Network) -> io::Result<()> {
     write!(out, "0\nENDSEC\n0\nEOF\n")
 }
 
-fn header(out: &mut dyn Write, network: &Network) -> io::Result<()> {
+pub(super) fn header(out: &mut dyn Write, network: &Network) -> io::Result<()> {
     write!(out, "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n")?;
     let points =
         || network.strips.iter().flat_map(|s| &s.points).chain(network.nodes.iter().map(|n| &n.position));
@@ -45,26 +45,36 @@ fn header(out: &mut dyn Write, network: &Network) -> io::Result<()> {
     write!(out, "0\nENDSEC\n")
 }
 
-fn tables(out: &mut dyn Write) -> io::Result<()> {
+/// The tables of line types and of layers, names with their colours; layer 0 is there always.
+pub(super) fn tables(out: &mut dyn Write, layers: &[(String, u8)]) -> io::Result<()> {
     write!(out, "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLTYPE\n70\n1\n")?;
     write!(out, "0\nLTYPE\n2\nCONTINUOUS\n70\n0\n3\nSolid line\n72\n65\n73\n0\n40\n0.0\n0\nENDTAB\n")?;
-    write!(out, "0\nTABLE\n2\nLAYER\n70\n{}\n", LAYERS.len() + 1)?;
-    for (name, colour) in [("0", 7)].into_iter().chain(LAYERS) {
+    write!(out, "0\nTABLE\n2\nLAYER\n70\n{}\n", layers.len() + 1)?;
+    for (name, colour) in [("0", 7)].into_iter().chain(layers.iter().map(|(n, c)| (n.as_str(), *c))) {
         write!(out, "0\nLAYER\n2\n{name}\n70\n0\n62\n{colour}\n6\nCONTINUOUS\n")?;
     }
     write!(out, "0\nENDTAB\n0\nENDSEC\n")
 }
 
 fn polyline(out: &mut dyn Write, strip: &Strip) -> io::Result<()> {
-    if strip.points.len() < 2 {
+    polyline_on(out, strip_layer(strip.kind), &strip.points, strip.closed)
+}
+
+/// A 3D polyline on a layer. A closed one does not repeat its first point.
+pub(super) fn polyline_on(
+    out: &mut dyn Write,
+    layer: &str,
+    points: &[[f64; 3]],
+    closed: bool,
+) -> io::Result<()> {
+    if points.len() < 2 {
         return Ok(());
     }
-    let layer = strip_layer(strip.kind);
-    let flags = POLYLINE_3D | if strip.closed { CLOSED } else { 0 };
+    let flags = POLYLINE_3D | if closed { CLOSED } else { 0 };
     write!(out, "0\nPOLYLINE\n8\n{layer}\n66\n1\n")?;
     point(out, [0.0; 3])?;
     write!(out, "70\n{flags}\n")?;
-    for &position in &strip.points {
+    for &position in points {
         write!(out, "0\nVERTEX\n8\n{layer}\n")?;
         point(out, position)?;
         write!(out, "70\n{VERTEX_3D}\n")?;

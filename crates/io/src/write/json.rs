@@ -1,7 +1,10 @@
 //! A network in the schema `lineament-network/1`, which `docs/schema-network-1.md` describes.
 
+mod patch;
+
 use super::{NetworkContext, Parameter};
 use lineament::curve::BSpline;
+use lineament::patch::Sides;
 use lineament::{Network, Node, Strip};
 use std::fmt;
 use std::io::{self, Write};
@@ -31,8 +34,11 @@ pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkCon
     write!(out, "\"nodes\": [")?;
     lines(out, &network.nodes, node)?;
     write!(out, "],\n\"strips\": [")?;
-    lines(out, &network.strips, strip)?;
-    writeln!(out, "],\n\"patches\": []\n}}")
+    let sides = |id: usize| context.patches.as_ref().and_then(|p| p.sides.get(id));
+    lines(out, &network.strips, |out, id, s| strip(out, id, s, sides(id)))?;
+    write!(out, "],\n\"patches\": [")?;
+    lines(out, context.patches.as_ref().map_or(&[][..], |p| &p.patches), patch::patch)?;
+    writeln!(out, "]\n}}")
 }
 
 fn node(out: &mut dyn Write, id: usize, node: &Node) -> io::Result<()> {
@@ -45,7 +51,7 @@ fn node(out: &mut dyn Write, id: usize, node: &Node) -> io::Result<()> {
     )
 }
 
-fn strip(out: &mut dyn Write, id: usize, strip: &Strip) -> io::Result<()> {
+fn strip(out: &mut dyn Write, id: usize, strip: &Strip, sides: Option<&Sides>) -> io::Result<()> {
     let closed = strip.closed;
     write!(out, "{{\"id\": {id}, \"kind\": \"{}\", \"closed\": {closed}, ", strip.kind.name())?;
     write!(out, "\"start\": {}, \"end\": {}, ", Index(strip.start), Index(strip.end))?;
@@ -57,7 +63,16 @@ fn strip(out: &mut dyn Write, id: usize, strip: &Strip) -> io::Result<()> {
     curve(out, &strip.curve)?;
     write!(out, ", \"sources\": [")?;
     list(out, &strip.sources, |out, _, source| write!(out, "{source}"))?;
-    write!(out, "]}}")
+    write!(out, "]")?;
+    if let Some(Sides { left, right, fold_deg, convex }) = sides {
+        write!(out, ", \"left\": {}, \"right\": {}", Index(*left), Index(*right))?;
+        write!(out, ", \"fold_deg\": {}, \"convex\": ", Number(fold_deg.unwrap_or(f64::NAN)))?;
+        match convex {
+            Some(convex) => write!(out, "{convex}")?,
+            None => write!(out, "null")?,
+        }
+    }
+    write!(out, "}}")
 }
 
 fn curve(out: &mut dyn Write, curve: &BSpline) -> io::Result<()> {
@@ -91,7 +106,7 @@ pub(super) fn list<T>(
 pub(super) fn lines<T>(
     out: &mut dyn Write,
     items: &[T],
-    item: fn(&mut dyn Write, usize, &T) -> io::Result<()>,
+    mut item: impl FnMut(&mut dyn Write, usize, &T) -> io::Result<()>,
 ) -> io::Result<()> {
     for (i, value) in items.iter().enumerate() {
         write!(out, "{}", if i > 0 { ",\n" } else { "\n" })?;

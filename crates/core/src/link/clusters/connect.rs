@@ -48,7 +48,7 @@ pub fn connect(lines: &mut LineGraph, resolution: Resolution, n: usize, d: usize
 
 /// The robust form's last links: each endpoint to the closest endpoint within `reach`, else to the closest other vertex, if the
 /// strip that leads up to the gap is longer than the gap and no short path joins them already.
-pub fn connect_within(lines: &mut LineGraph, fixed: &[bool], reach: f64, walker: &mut Walker, spacing: f64) {
+pub fn connect_within(lines: &mut LineGraph, reach: f64, walker: &mut Walker, spacing: f64) {
     let members: Vec<u32> = (0..lines.edges.len() as u32).filter(|&v| degree(lines, v) > 0).collect();
     let positions: Vec<[f64; 3]> = members.iter().map(|&v| lines.positions[v as usize]).collect();
     if positions.is_empty() {
@@ -57,7 +57,7 @@ pub fn connect_within(lines: &mut LineGraph, fixed: &[bool], reach: f64, walker:
     let index = Index::build(&positions);
     let mut found = Vec::new();
     let mut links: Vec<(bool, f64, u32, u32)> = Vec::new();
-    for &end in members.iter().filter(|&&v| degree(lines, v) == 1 && fixed.get(v as usize) != Some(&true)) {
+    for &end in members.iter().filter(|&&v| degree(lines, v) == 1) {
         let reach = reach.min((strip_length(lines, end) - LEAST_STRIP * spacing) / LEAD);
         if reach <= 0.0 {
             continue;
@@ -65,7 +65,7 @@ pub fn connect_within(lines: &mut LineGraph, fixed: &[bool], reach: f64, walker:
         index.within(lines.positions[end as usize], reach, &mut found);
         for f in &found {
             let v = members[f.index as usize];
-            if v != end && fixed.get(v as usize) != Some(&true) {
+            if v != end {
                 links.push((degree(lines, v) > 1, f.distance2.sqrt(), end, v));
             }
         }

@@ -2,21 +2,21 @@
 //!
 //! The paper's small clusters lie where single normals happen to differ, up to a spacing beside the edge. Here the candidates
 //! of the penalties are used, each at its foot on the line, and those within a fraction of a spacing are one cluster, at the
-//! mean of their feet: a row of vertices along the line instead of a band.
+//! foot of the best of them: a row of vertices along the line instead of a band.
 
 use super::Clusters;
 use crate::detect::segments::Segmentation;
 use crate::link::Candidate;
-use crate::math::vec3::{add_scaled, distance};
+use crate::math::vec3::distance;
 use crate::measure::Penalties;
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
 /// Feet this near to that of the cluster's first candidate, in spacings, belong to it.
-const TOGETHER: f64 = 0.6;
+const TOGETHER: f64 = 0.3;
 /// Longest edge of `G_all` between feet, spacings.
-const EDGE: f64 = 2.0;
+const EDGE: f64 = 3.0;
 
 /// Groups the candidates, the least penalty first, and joins groups by `edges` between their candidates. Also gives the
 /// cluster of each candidate.
@@ -42,8 +42,7 @@ pub fn group(
         let apart = distance(positions[a as usize], positions[b as usize]) / resolution.spacing;
         if a != b && apart <= EDGE {
             clusters.lines.add_edge(a, b);
-            let weight = edge.weight.max(apart * apart);
-            clusters.weights.push(Candidate { weight, a: a.min(b), b: a.max(b) });
+            clusters.weights.push(Candidate { weight: edge.weight, a: a.min(b), b: a.max(b) });
         }
     }
     (clusters, of_candidate)
@@ -90,8 +89,7 @@ fn push(
     let LineGraph { points, positions, penalty, corner, evidence, expected, fold, edges, .. } =
         &mut clusters.lines;
     points.push(penalties.points[members[0] as usize]);
-    positions
-        .push(members.iter().fold([0.0; 3], |sum, &c| add_scaled(sum, penalties.foot[c as usize], share)));
+    positions.push(penalties.foot[members[0] as usize]);
     penalty.push(mean(&penalties.scalar) as f32);
     corner.push(members.iter().map(|&c| penalties.corner[c as usize]).fold(1.0, f32::min));
     evidence.push(mean(&penalties.evidence) as f32);

@@ -4,6 +4,7 @@ use super::branches::prune_branches;
 use super::connect::{connect, neighbors_in_reach};
 use super::extend::longest;
 use super::forest::by_length;
+use super::include::{include, leave};
 use super::open::remove_open;
 use super::smooth::smooth;
 use super::{Clusters, Linked, Recorder, extend, forest};
@@ -22,6 +23,7 @@ pub fn link_paper(
     points: &[[f64; 3]],
     rings: &Neighbors,
     segments: &Segmentation,
+    mut border: LineGraph,
     resolution: Resolution,
     params: &SegmentParams,
 ) -> Linked {
@@ -36,12 +38,14 @@ pub fn link_paper(
     prune_branches(&mut lines, resolution, params.branch);
     recorder.lines("G_pruned_branches", &lines);
     let n = params.connect.or(|| neighbors_in_reach(&lines, reach));
+    let own = include(&mut lines, &border);
     connect(&mut lines, resolution, n, params.cycle.or(|| 2 * params.branch));
-    remove_open(&mut lines, &[]);
+    remove_open(&mut lines);
     recorder.lines("G_closed", &lines);
     smooth(&mut lines, SMOOTHING);
     recorder.lines("G_smooth", &lines);
-    Linked { pattern: Pattern { crease: lines, ..Default::default() }, stages: recorder.stages }
+    leave(&mut lines, &mut border, own);
+    Linked { pattern: Pattern { crease: lines, border }, stages: recorder.stages }
 }
 
 /// `G_all` (section 2.3): the small clusters at their centres of mass, joined where a point of one is in the ring of a point of

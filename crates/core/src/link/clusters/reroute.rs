@@ -22,19 +22,13 @@ const DETOUR: (f64, f64) = (2.0, 4.0);
 type Length = u64;
 
 /// Closes what it can; `all` is `G_extended` on the same vertices, of which `lines` may have some more at the end.
-pub fn reroute(
-    lines: &mut LineGraph,
-    all: &LineGraph,
-    anchored: &[bool],
-    resolution: Resolution,
-    reach: Reach,
-) {
+pub fn reroute(lines: &mut LineGraph, all: &LineGraph, resolution: Resolution, reach: Reach) {
     let mut walker = Walker::new(lines.edges.len(), resolution, reach);
     for longest in LONGEST {
         let ends: Vec<u32> =
             (0..all.edges.len() as u32).filter(|&v| lines.edges[v as usize].len() == 1).collect();
         for end in ends {
-            if lines.edges[end as usize].len() != 1 || anchored.get(end as usize) == Some(&true) {
+            if lines.edges[end as usize].len() != 1 {
                 continue;
             }
             let lead = strip_length(lines, end) / resolution.spacing;

@@ -1,0 +1,35 @@
+//! `--stages`: what the method `segments` went through.
+
+use std::path::{Path, PathBuf};
+
+use lineament::{Cloud, Extraction, Method};
+use lineament_io::write_stages;
+
+use crate::failure::{Code, Failure};
+use crate::outputs;
+use crate::source::Origin;
+use crate::work::Work;
+
+/// Refuses stages of a method that has none.
+pub fn check(work: &Work, folder: Option<&Path>) -> Result<(), Failure> {
+    if folder.is_none() || work.params.method == Method::Segments {
+        return Ok(());
+    }
+    let failure = Failure::new(Code::Usage, "--stages: only the method `segments` has stages to show");
+    Err(failure.advise("add `--method segments`"))
+}
+
+/// Writes the stages of one input into `folder`, which is made if it is not there; of several inputs into a folder of that
+/// input's name within. The files written.
+pub fn write(
+    work: &Work,
+    folder: Option<&Path>,
+    origin: &Origin,
+    cloud: &Cloud,
+    found: &Extraction,
+) -> Result<Vec<PathBuf>, Failure> {
+    let Some(folder) = folder else { return Ok(Vec::new()) };
+    let folder = if work.count() > 1 { folder.join(origin.stem()) } else { folder.into() };
+    outputs::make(&folder)?;
+    outputs::write(&folder, || write_stages(&folder, &work.inputs, cloud, found))
+}

@@ -1,0 +1,47 @@
+//! Clouds too noisy for the segmentation (Demarsin et al. 2007, section 3: "a smoothing method should be applied first and a
+//! larger neighborhood for normal estimation can be used"; the paper gives no rule).
+//!
+//! The rule here: a face has more points than a neighbourhood. Where less than half of all points lie in clusters of more than
+//! `k` points, every point moves to the least-squares plane of its neighbours, normals are taken from rings of one more edge,
+//! and the segmentation is made again; up to three times.
+
+use super::Segmentation;
+use crate::detect::tensor::ellipsoid;
+use crate::math::vec3::{add_scaled, dot, sub};
+use crate::neighbors::{Neighbors, riemannian::Scratch};
+use rayon::prelude::*;
+
+/// Most rounds of smoothing.
+pub const ROUNDS: usize = 3;
+/// Share of the points that must lie in faces.
+const IN_FACES: f64 = 0.5;
+
+/// Whether the clusters say that the cloud is too noisy for their angle.
+pub fn too_noisy(segments: &Segmentation, k: usize) -> bool {
+    let faces: u32 = segments.size.iter().filter(|&&size| size as usize > k).sum();
+    f64::from(faces) < IN_FACES * segments.label.len() as f64
+}
+
+/// Each point on the least-squares plane of its neighbours.
+pub fn smoothed(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<[f64; 3]> {
+    (0..points.len())
+        .into_par_iter()
+        .with_min_len(1024)
+        .map(|i| {
+            let plane = ellipsoid(points, i, nearest.of(i));
+            let normal = plane.axes.vectors[0];
+            add_scaled(points[i], normal, dot(normal, sub(plane.centre, points[i])))
+        })
+        .collect()
+}
+
+/// `(N, 3)` normals of the least-squares planes through all points within `depth` edges of the rings.
+pub fn wide_normals(points: &[[f64; 3]], rings: &Neighbors, depth: usize) -> Vec<[f32; 3]> {
+    (0..points.len())
+        .into_par_iter()
+        .with_min_len(1024)
+        .map_init(Scratch::default, |scratch, i| {
+            ellipsoid(points, i, rings.hops(i, depth, scratch)).axes.vectors[0].map(|x| x as f32)
+        })
+        .collect()
+}

@@ -1,0 +1,225 @@
+//! Which points lie beside a strip, and on which side of it.
+//!
+//! In the cross-section of a strip the surface leaves it in two directions: two half-lines, at any angle to each other. They
+//! are found as the two places where the points of a short window of the strip gather, by kernel density and then 2-means on
+//! the circle, weighted by how well a point's distance lets it tell a direction. A point is on the side whose half-line is
+//! nearer. A border, or a strip with points on one side only, has one half-line.
+
+use super::Ground;
+use super::stations::{Station, Stations};
+use crate::math::vec3::{add_scaled, distance, dot, norm, sub};
+use crate::neighbors::Index;
+use rayon::prelude::*;
+
+/// How far points count as beside a strip, spacings; and as far as the longest edge of the point, so that no edge can cross a
+/// strip unseen.
+const REACH: f64 = 3.0;
+/// Points nearer to the strip than this, spacings, and twice the noise more, do not say on which side they are.
+pub const SEAM: f64 = 0.4;
+/// How far beyond the end of a strip a point still counts as beside it, spacings: nothing may pass between two strips.
+const BEYOND: f64 = 1.0;
+/// Stations before and after that a station takes points from.
+const WINDOW: usize = 6;
+/// Most points that the directions at a station are found from.
+const MOST: usize = 96;
+/// Half the angle of the kernel, and the least angle between the two sides.
+const KERNEL_DEG: f64 = 25.0;
+/// A side with a smaller share of the density than the other is none.
+const LEAST_SHARE: f64 = 0.12;
+
+/// A point beside a strip.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Entry {
+    /// The strip.
+    pub strip: u32,
+    /// The nearest station.
+    pub station: u32,
+    /// Offset from the strip in the station's `across` coordinates.
+    pub offset: [f64; 2],
+    /// Distance from the strip.
+    pub distance: f64,
+    /// Whether no other strip is nearer.
+    pub nearest: bool,
+    /// 0 or 1: the half-line that is nearer, an index into the station's `leaves`.
+    pub side: u8,
+}
+
+/// For each point the strips that it lies beside.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Beside {
+    first: Vec<u32>,
+    entries: Vec<Entry>,
+    /// Distance within which a point does not say on which side it is.
+    pub seam: f64,
+}
+
+impl Beside {
+    /// The strips beside point `i`, in ascending order.
+    pub fn of(&self, i: usize) -> &[Entry] {
+        &self.entries[self.first[i] as usize..self.first[i + 1] as usize]
+    }
+
+    /// Whether the point lies on a strip rather than beside it.
+    pub fn on_seam(&self, i: usize) -> bool {
+        self.of(i).iter().any(|e| e.distance < self.seam)
+    }
+}
+
+/// Finds the points beside all strips and fills in the directions at the stations.
+pub fn beside(ground: &Ground, mut stations: Stations) -> (Stations, Beside) {
+    let spacing = ground.resolution.spacing;
+    let places: Vec<[f64; 3]> = stations.all.iter().map(|s| s.position).collect();
+    let index = Index::build(&places);
+    let reach = REACH * ground.resolution.unit();
+    let lists: Vec<Vec<Entry>> = (0..ground.points.len())
+        .into_par_iter()
+        .with_min_len(1024)
+        .map_init(Vec::new, |found, i| {
+            if index.is_empty() {
+                return Vec::new();
+            }
+            let p = ground.points[i];
+            let edges = ground.graph.of(i).iter().map(|&j| distance(p, ground.points[j as usize]));
+            index.within(p, edges.fold(reach, f64::max), found);
+            let mut near: Vec<(u32, f64, u32)> =
+                found.iter().map(|f| (stations.all[f.index as usize].strip, f.distance2, f.index)).collect();
+            near.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
+            near.dedup_by_key(|n| n.0);
+            entries(&stations.all, p, &near, BEYOND * spacing)
+        })
+        .collect();
+    let mut beside = Beside { seam: SEAM * spacing + 2.0 * ground.resolution.noise, ..Default::default() };
+    beside.seam = beside.seam.min(spacing);
+    beside.first.push(0);
+    for list in lists {
+        beside.entries.extend(list);
+        beside.first.push(beside.entries.len() as u32);
+    }
+    directions(&mut stations, &beside, 0.5 * spacing);
+    for entry in &mut beside.entries {
+        entry.side = side(&stations.all[entry.station as usize], entry.offset);
+    }
+    (stations, beside)
+}
+
+/// The entries of a point, given the nearest station of each strip.
+fn entries(all: &[Station], p: [f64; 3], near: &[(u32, f64, u32)], beyond: f64) -> Vec<Entry> {
+    let mut entries: Vec<Entry> = near
+        .iter()
+        .filter_map(|&(strip, _, station)| {
+            let at = &all[station as usize];
+            let d = sub(p, at.position);
+            let along = dot(d, at.tangent);
+            let u = add_scaled(d, at.tangent, -along);
+            (along * at.end <= beyond).then(|| Entry {
+                strip,
+                station,
+                offset: at.across.map(|e| dot(u, e)),
+                // Beyond an end the strip itself is farther than the line it lies on.
+                distance: if along * at.end > 0.0 { norm(d) } else { norm(u) },
+                nearest: false,
+                side: 0,
+            })
+        })
+        .collect();
+    let least = entries.iter().map(|e| e.distance).fold(f64::INFINITY, f64::min);
+    entries.iter_mut().for_each(|e| e.nearest = e.distance == least);
+    entries
+}
+
+/// Fills in `leaves` at all stations. Offsets shorter than `short` count less, as noise turns them.
+fn directions(stations: &mut Stations, beside: &Beside, short: f64) {
+    let mut at: Vec<Vec<([f64; 2], f64)>> = vec![Vec::new(); stations.all.len()];
+    for entry in beside.entries.iter().filter(|e| e.nearest && e.distance > 0.0) {
+        let length = (entry.offset[0].powi(2) + entry.offset[1].powi(2)).sqrt();
+        if length > 0.0 {
+            let direction = entry.offset.map(|x| x / length);
+            at[entry.station as usize].push((direction, (length / short).min(1.0).powi(2)));
+        }
+    }
+    let border = &stations.border;
+    let first = &stations.first;
+    let found: Vec<[Option<[f64; 2]>; 2]> = (0..border.len())
+        .into_par_iter()
+        .flat_map_iter(|strip| {
+            let range = first[strip]..first[strip + 1];
+            let mut before: [Option<[f64; 2]>; 2] = [None; 2];
+            let (at, border) = (&at, border[strip]);
+            range.clone().map(move |s| {
+                let from = s.saturating_sub(WINDOW).max(range.start);
+                let window: Vec<([f64; 2], f64)> =
+                    at[from..range.end.min(s + WINDOW + 1)].iter().flatten().copied().collect();
+                before = ordered(two(&window, border), before);
+                before
+            })
+        })
+        .collect();
+    for (station, leaves) in stations.all.iter_mut().zip(found) {
+        station.leaves = leaves;
+    }
+}
+
+/// The one or two directions in which most of the points lie.
+fn two(window: &[([f64; 2], f64)], border: bool) -> [Option<[f64; 2]>; 2] {
+    let step = window.len().div_ceil(MOST).max(1);
+    let some: Vec<([f64; 2], f64)> = window.iter().copied().step_by(step).collect();
+    let cosine = KERNEL_DEG.to_radians().cos();
+    let inner = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+    let density = |a: [f64; 2]| some.iter().map(|(b, w)| w * (inner(a, *b) - cosine).max(0.0)).sum::<f64>();
+    let dense: Vec<f64> = some.iter().map(|s| density(s.0)).collect();
+    let best = |allowed: &dyn Fn([f64; 2]) -> bool| {
+        (0..some.len()).filter(|&i| allowed(some[i].0)).fold(None, |best: Option<usize>, i| match best {
+            Some(b) if dense[b] >= dense[i] => best,
+            _ => Some(i),
+        })
+    };
+    let Some(a) = best(&|_| true) else { return [None; 2] };
+    let first = some[a].0;
+    let second =
+        best(&|d| inner(d, first) < cosine).filter(|&b| !border && dense[b] >= LEAST_SHARE * dense[a]);
+    let Some(b) = second else { return [Some(first), None] };
+    let mut sides = [first, some[b].0];
+    for _ in 0..4 {
+        let mut sums = [[0.0; 2]; 2];
+        for (d, w) in &some {
+            let [p, q] = sides.map(|s| inner(s, *d));
+            // What lies far from both, such as another sheet, pulls at neither.
+            if p.max(q) > 0.5 {
+                let sum = &mut sums[usize::from(q > p)];
+                *sum = [sum[0] + w * d[0], sum[1] + w * d[1]];
+            }
+        }
+        for (side, sum) in sides.iter_mut().zip(sums) {
+            let length = inner(sum, sum).sqrt();
+            if length > 0.0 {
+                *side = sum.map(|x| x / length);
+            }
+        }
+    }
+    sides.map(Some)
+}
+
+/// The directions in the order of those before; what is missing is carried on.
+fn ordered(found: [Option<[f64; 2]>; 2], before: [Option<[f64; 2]>; 2]) -> [Option<[f64; 2]>; 2] {
+    let agree = |a: Option<[f64; 2]>, b: Option<[f64; 2]>| match (a, b) {
+        (Some(a), Some(b)) => a[0] * b[0] + a[1] * b[1],
+        _ => 0.0,
+    };
+    if found[1].is_none() && before[1].is_none() {
+        return [found[0].or(before[0]), None];
+    }
+    let straight = agree(found[0], before[0]) + agree(found[1], before[1]);
+    let swapped = agree(found[1], before[0]) + agree(found[0], before[1]);
+    let [a, b] = if swapped > straight { [found[1], found[0]] } else { found };
+    [a.or(before[0]), b.or(before[1])]
+}
+
+/// The nearer half-line.
+fn side(at: &Station, offset: [f64; 2]) -> u8 {
+    let along = |leaves: Option<[f64; 2]>| leaves.map(|l| l[0] * offset[0] + l[1] * offset[1]);
+    match at.leaves.map(along) {
+        [Some(a), Some(b)] => u8::from(b > a),
+        [None, Some(_)] => 1,
+        _ => 0,
+    }
+}

@@ -1,0 +1,73 @@
+//! A first surface for each patch: plane, sphere, cylinder, cone or torus, and what is left over.
+//!
+//! Each kind is started from points and normals (`start`) and refined to the least sum of squared distances (`refine`). The kind
+//! is chosen by the Bayesian information criterion (G. Schwarz, "Estimating the dimension of a model", Annals of Statistics
+//! 6, 1978): a further parameter has to pay for itself. Residuals below a share of the spacing are taken as equal.
+
+mod refine;
+mod start;
+mod surface;
+
+pub use surface::{Fit, Surface};
+
+use super::Ground;
+use super::beside::Beside;
+use rayon::prelude::*;
+
+/// Most points that a surface is fitted to.
+const MOST: usize = 800;
+/// Points nearer to a strip than this, spacings, are left out where enough others are there.
+const CLEAR: f64 = 0.8;
+/// Fewest points that the clear ones must be.
+const LEAST: usize = 24;
+/// Residual that makes no difference, spacings: the edge of what a scan can tell.
+const FLOOR: f64 = 0.03;
+/// A patch is free-form where the best surface leaves this many spacings, and twice the noise more.
+const FREE: f64 = 0.15;
+
+/// The best surface of each patch. `normals` point outwards; local frame.
+pub fn fits(ground: &Ground, normals: &[[f64; 3]], members: &[Vec<u32>], beside: &Beside) -> Vec<Fit> {
+    members.par_iter().map(|patch| fit(ground, normals, patch, beside)).collect()
+}
+
+fn fit(ground: &Ground, normals: &[[f64; 3]], patch: &[u32], beside: &Beside) -> Fit {
+    let spacing = ground.resolution.spacing;
+    let clear = |i: &u32| beside.of(*i as usize).iter().all(|e| e.distance >= CLEAR * spacing);
+    let mut chosen: Vec<u32> = patch.iter().copied().filter(clear).collect();
+    if chosen.len() < LEAST {
+        chosen = patch.to_vec();
+    }
+    let step = chosen.len().div_ceil(MOST).max(1);
+    let chosen: Vec<u32> = chosen.into_iter().step_by(step).collect();
+    let points: Vec<[f64; 3]> = chosen.iter().map(|&i| ground.points[i as usize]).collect();
+    let normals: Vec<[f64; 3]> = chosen.iter().map(|&i| normals[i as usize]).collect();
+    let floor = FLOOR * spacing;
+    let best = start::all(&points, &normals)
+        .into_iter()
+        .filter_map(|s| refine::refine(s, &points))
+        .map(|s| (cost(&s, &points, floor), s))
+        .min_by(|a, b| a.0.total_cmp(&b.0));
+    match best {
+        Some((_, surface)) => {
+            let residual = residual(&surface, &points);
+            let free = residual > FREE * spacing + 2.0 * ground.resolution.noise;
+            Fit { surface, residual, free }
+        }
+        None => Fit { surface: start::plane(&points), residual: 0.0, free: false },
+    }
+}
+
+/// Root mean square distance.
+fn residual(surface: &Surface, points: &[[f64; 3]]) -> f64 {
+    let squares: f64 = points.iter().map(|&p| surface.distance(p).powi(2)).sum();
+    (squares / points.len().max(1) as f64).sqrt()
+}
+
+fn cost(surface: &Surface, points: &[[f64; 3]], floor: f64) -> f64 {
+    let count = points.len() as f64;
+    let squares = residual(surface, points).powi(2) + floor * floor;
+    count * squares.ln() + surface.freedom() as f64 * count.ln()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,76 @@
+//! Components of the neighbour graph that no strip crosses.
+
+use super::beside::{Beside, Entry};
+use super::{Ground, NO_PATCH};
+use crate::math::union_find::UnionFind;
+use crate::math::vec3::{dot, sub};
+use rayon::prelude::*;
+
+/// Fewer points than this are no patch of their own.
+const LEAST: u32 = 6;
+/// Rounds in which points on the seams join the patch beside them.
+const ROUNDS: usize = 8;
+
+/// `(M)` the patch of each point; patches are numbered by their first point.
+pub fn flood(ground: &Ground, beside: &Beside) -> Vec<u32> {
+    let count = ground.points.len();
+    let seam: Vec<bool> = (0..count).into_par_iter().map(|i| beside.on_seam(i)).collect();
+    let mut sets = UnionFind::new(count);
+    for i in (0..count).filter(|&i| !seam[i]) {
+        let own = beside.of(i);
+        for &j in ground.graph.of(i).iter().filter(|&&j| j as usize > i && !seam[j as usize]) {
+            if own.is_empty() || !crosses(own, beside.of(j as usize)) {
+                sets.union(i as u32, j);
+            }
+        }
+    }
+    let roots: Vec<u32> = (0..count as u32).map(|i| sets.find(i)).collect();
+    let mut size = vec![0u32; count];
+    roots.iter().zip(&seam).filter(|(_, s)| !**s).for_each(|(&r, _)| size[r as usize] += 1);
+    let mut number = vec![NO_PATCH; count];
+    let mut next = 0;
+    let mut label = vec![NO_PATCH; count];
+    for i in (0..count).filter(|&i| !seam[i] && size[roots[i] as usize] >= LEAST) {
+        let slot = &mut number[roots[i] as usize];
+        if *slot == NO_PATCH {
+            *slot = next;
+            next += 1;
+        }
+        label[i] = *slot;
+    }
+    spread(ground, beside, &mut label);
+    label
+}
+
+/// Whether two points lie on different sides of a strip.
+fn crosses(a: &[Entry], b: &[Entry]) -> bool {
+    a.iter().any(|e| b.iter().any(|f| e.strip == f.strip && e.side != f.side))
+}
+
+/// Gives each point without a patch that of the neighbour in whose tangent plane it lies best, from the patches outwards.
+fn spread(ground: &Ground, beside: &Beside, label: &mut [u32]) {
+    for _ in 0..ROUNDS {
+        let taken: Vec<(usize, u32)> = (0..label.len())
+            .into_par_iter()
+            .with_min_len(1024)
+            .filter(|&i| label[i] == NO_PATCH)
+            .filter_map(|i| best(ground, beside, label, i).map(|l| (i, l)))
+            .collect();
+        if taken.is_empty() {
+            break;
+        }
+        taken.into_iter().for_each(|(i, l)| label[i] = l);
+    }
+}
+
+fn best(ground: &Ground, beside: &Beside, label: &[u32], i: usize) -> Option<u32> {
+    let offset = |j: u32| {
+        let normal = ground.normals[j as usize].map(f64::from);
+        dot(normal, sub(ground.points[i], ground.points[j as usize])).abs()
+    };
+    let own: &[Entry] = if beside.on_seam(i) { &[] } else { beside.of(i) };
+    let near = ground.graph.of(i).iter().copied().filter(|&j| label[j as usize] != NO_PATCH);
+    near.map(|j| (crosses(own, beside.of(j as usize)), offset(j), label[j as usize]))
+        .min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)))
+        .map(|(_, _, label)| label)
+}

@@ -1,0 +1,120 @@
+//! Stations along the strips: place, tangent and a frame that turns as little as it can.
+//!
+//! The frame is W. Wang, B. Jüttler, D. Zheng and Y. Liu's double reflection ("Computation of rotation minimizing frames", ACM
+//! Transactions on Graphics 27, 2008, section 3): directions across a strip can be compared from station to station in it.
+
+use crate::math::vec3::{add_scaled, cross, dot, norm, perpendicular, scale, sub, unit};
+use crate::network::{Network, Strip, StripKind};
+use crate::resolution::Resolution;
+
+/// Greatest distance between stations, spacings.
+const STEP: f64 = 0.6;
+
+/// A place on a strip.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Station {
+    /// The strip that it lies on.
+    pub strip: u32,
+    /// Local frame.
+    pub position: [f64; 3],
+    /// Unit tangent in the direction of the strip.
+    pub tangent: [f64; 3],
+    /// Unit vectors across the strip, at right angles to each other and the tangent.
+    pub across: [[f64; 3]; 2],
+    /// How far beyond the strip's own end a point may lie: zero within it, else `-1.0` before the start, `1.0` at the end.
+    pub end: f64,
+    /// Unit directions in `across` coordinates in which the surface leaves the strip; the second is `None` at a border.
+    pub leaves: [Option<[f64; 2]>; 2],
+}
+
+/// The stations of all strips, strip after strip.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stations {
+    /// All stations.
+    pub all: Vec<Station>,
+    /// `(S + 1)` where those of each strip begin.
+    pub first: Vec<usize>,
+    /// `(S)` whether the strip is a border.
+    pub border: Vec<bool>,
+}
+
+impl Stations {
+    /// The stations of one strip.
+    pub fn of(&self, strip: usize) -> &[Station] {
+        &self.all[self.first[strip]..self.first[strip + 1]]
+    }
+}
+
+/// Stations at the points of each strip and between them where these lie far apart.
+pub fn stations(network: &Network, resolution: Resolution) -> Stations {
+    let mut stations = Stations { first: vec![0], ..Default::default() };
+    for (s, strip) in network.strips.iter().enumerate() {
+        append(&mut stations.all, s as u32, strip, STEP * resolution.spacing);
+        stations.first.push(stations.all.len());
+        stations.border.push(strip.kind == StripKind::Border);
+    }
+    stations
+}
+
+fn append(all: &mut Vec<Station>, number: u32, strip: &Strip, step: f64) {
+    let places = places(strip, step);
+    let count = places.len();
+    let first = all.len();
+    for i in 0..count {
+        let before = if i > 0 || strip.closed { places[(i + count - 1) % count] } else { places[i] };
+        let after = if i + 1 < count || strip.closed { places[(i + 1) % count] } else { places[i] };
+        let tangent = unit(sub(after, before));
+        let across = match i {
+            0 => start(tangent),
+            _ => reflected(&all[first + i - 1], places[i], tangent),
+        };
+        let end = match (strip.closed, i) {
+            (true, _) => 0.0,
+            (false, 0) => -1.0,
+            (false, i) if i + 1 == count => 1.0,
+            _ => 0.0,
+        };
+        all.push(Station { strip: number, position: places[i], tangent, across, end, leaves: [None; 2] });
+    }
+}
+
+/// The points of a strip, the closing segment of a loop included, none farther than `step` from the next.
+fn places(strip: &Strip, step: f64) -> Vec<[f64; 3]> {
+    let mut places = Vec::with_capacity(strip.points.len());
+    let count = strip.points.len();
+    let segments = if strip.closed { count } else { count.saturating_sub(1) };
+    for i in 0..segments {
+        let (a, b) = (strip.points[i], strip.points[(i + 1) % count]);
+        let pieces = (norm(sub(b, a)) / step).ceil().clamp(1.0, 4096.0) as usize;
+        places.extend((0..pieces).map(|p| add_scaled(a, sub(b, a), p as f64 / pieces as f64)));
+    }
+    if !strip.closed {
+        places.extend(strip.points.last());
+    }
+    places
+}
+
+fn start(tangent: [f64; 3]) -> [[f64; 3]; 2] {
+    let first = unit(perpendicular(tangent));
+    [first, cross(tangent, first)]
+}
+
+/// The frame of the station before, reflected in the plane between both places, then in that between both tangents.
+fn reflected(from: &Station, to: [f64; 3], tangent: [f64; 3]) -> [[f64; 3]; 2] {
+    let mirror = |x: [f64; 3], axis: [f64; 3]| {
+        let square = dot(axis, axis);
+        if square > 0.0 { add_scaled(x, axis, -2.0 * dot(axis, x) / square) } else { x }
+    };
+    let step = sub(to, from.position);
+    let (side, along) = (mirror(from.across[0], step), mirror(from.tangent, step));
+    let side = mirror(side, sub(tangent, along));
+    // Rounding is taken out, so that it cannot add up along a long strip.
+    let side = add_scaled(side, tangent, -dot(side, tangent));
+    let length = norm(side);
+    if length > 0.5 {
+        let side = scale(side, 1.0 / length);
+        [side, cross(tangent, side)]
+    } else {
+        start(tangent)
+    }
+}
