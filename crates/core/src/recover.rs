@@ -18,8 +18,11 @@ use crate::resolution::Resolution;
 /// canonical indices.
 pub fn recover(pattern: &Pattern, resolution: Resolution, params: &SplineParams) -> Network {
     let mut network = Network::default();
-    for kind in [StripKind::Crease, StripKind::Border] {
-        append(&mut network, kind, pattern.of(kind), resolution, params);
+    let met = |lines| nodes::meet(lines, paths(lines), resolution);
+    let (mut crease, border) = (met(&pattern.crease), met(&pattern.border));
+    nodes::agree((&pattern.crease, &mut crease), (&pattern.border, &border), resolution);
+    for (kind, meeting) in [(StripKind::Crease, crease), (StripKind::Border, border)] {
+        append(&mut network, kind, pattern.of(kind), meeting, resolution, params);
     }
     tidy::tidy(&mut network);
     network
@@ -29,10 +32,11 @@ fn append(
     network: &mut Network,
     kind: StripKind,
     lines: &LineGraph,
+    meeting: nodes::Meeting,
     resolution: Resolution,
     params: &SplineParams,
 ) {
-    let (paths, clusters) = nodes::meet(lines, paths(lines), resolution);
+    let nodes::Meeting { paths, clusters, .. } = meeting;
     let first = network.nodes.len() as u32;
     for cluster in &clusters {
         network.nodes.push(Node {

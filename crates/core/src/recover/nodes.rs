@@ -3,6 +3,8 @@
 //! The minimum spanning graph meets three lines in two or three neighbouring vertices as often as in one. Strips shorter
 //! than the neighbourhood cannot be told from that, so they are contracted, and what they joined becomes one node.
 
+use std::collections::BTreeMap;
+
 use super::strips::Path;
 use crate::frame::on_grid;
 use crate::math::union_find::UnionFind;
@@ -22,8 +24,19 @@ pub struct Cluster {
     pub vertex: u32,
 }
 
-/// Contracts short strips and numbers the nodes: the paths that remain, their ends as indices into the clusters.
-pub fn meet(lines: &LineGraph, paths: Vec<Path>, resolution: Resolution) -> (Vec<Path>, Vec<Cluster>) {
+/// The nodes of one pattern and the paths between them.
+#[derive(Clone, Debug)]
+pub struct Meeting {
+    /// The paths that remain, their ends as indices into the clusters.
+    pub paths: Vec<Path>,
+    /// The nodes.
+    pub clusters: Vec<Cluster>,
+    /// Vertices of the pattern where paths end, and the cluster that each went into.
+    members: Vec<(u32, u32)>,
+}
+
+/// Contracts short strips and numbers the nodes.
+pub fn meet(lines: &LineGraph, paths: Vec<Path>, resolution: Resolution) -> Meeting {
     let mut sets = UnionFind::new(lines.edges.len());
     let short: Vec<bool> = paths.iter().map(|p| is_short(lines, p, resolution)).collect();
     for (path, _) in paths.iter().zip(&short).filter(|(_, s)| **s) {
@@ -38,9 +51,11 @@ pub fn meet(lines: &LineGraph, paths: Vec<Path>, resolution: Resolution) -> (Vec
     let groups: Vec<&[(u32, u32)]> = members.chunk_by(|a, b| a.0 == b.0).collect();
     let clusters: Vec<Cluster> = groups.iter().map(|g| cluster(lines, g)).collect();
     let mut number = vec![0; lines.edges.len()];
+    let mut of_vertex = Vec::with_capacity(members.len());
     for (g, group) in groups.iter().enumerate() {
         for &(_, v) in *group {
             number[v as usize] = g as u32;
+            of_vertex.push((v, g as u32));
         }
     }
     let kept = paths
@@ -49,19 +64,47 @@ pub fn meet(lines: &LineGraph, paths: Vec<Path>, resolution: Resolution) -> (Vec
         .filter(|(_, short)| !short)
         .map(|(p, _)| Path { ends: p.ends.map(|e| e.map(|v| number[v as usize])), ..p })
         .collect();
-    (kept, clusters)
+    Meeting { paths: kept, clusters, members: of_vertex }
+}
+
+/// Moves the nodes of creases that end on borders to where contraction has moved those of the borders, and leaves out the
+/// creases that this makes no longer than a node.
+///
+/// What ends on a border has a vertex at the place of one of the border's (`link/dock.rs`); the mean of several such
+/// vertices is another place.
+pub fn agree(crease: (&LineGraph, &mut Meeting), border: (&LineGraph, &Meeting), resolution: Resolution) {
+    let bits = |lines: &LineGraph, v: u32| lines.positions[v as usize].map(|x| (x + 0.0).to_bits());
+    let places: BTreeMap<[u64; 3], [f64; 3]> = border
+        .1
+        .members
+        .iter()
+        .map(|&(v, g)| (bits(border.0, v), border.1.clusters[g as usize].position))
+        .collect();
+    let (lines, meeting) = crease;
+    for &(v, g) in &meeting.members {
+        if let Some(&place) = places.get(&bits(lines, v)) {
+            meeting.clusters[g as usize].position = place;
+        }
+    }
+    let clusters = &meeting.clusters;
+    meeting.paths.retain(|path| {
+        let Some([a, b]) = path.ends else { return true };
+        clusters[a as usize].position != clusters[b as usize].position
+            || length(lines, path) > CONTRACTED * resolution.unit()
+    });
+}
+
+/// Length of a path along its vertices.
+fn length(lines: &LineGraph, path: &Path) -> f64 {
+    let at = |v: u32| lines.positions[v as usize];
+    path.vertices.windows(2).map(|w| distance(at(w[0]), at(w[1]))).sum()
 }
 
 /// Whether the strip lies between two nodes that other strips meet too, and is too short to be one.
 fn is_short(lines: &LineGraph, path: &Path, resolution: Resolution) -> bool {
     let Some([a, b]) = path.ends else { return false };
     let junctions = lines.edges[a as usize].len() > 1 && lines.edges[b as usize].len() > 1;
-    let length: f64 = path
-        .vertices
-        .windows(2)
-        .map(|w| distance(lines.positions[w[0] as usize], lines.positions[w[1] as usize]))
-        .sum();
-    junctions && length <= CONTRACTED * resolution.unit()
+    junctions && length(lines, path) <= CONTRACTED * resolution.unit()
 }
 
 /// The mean of the vertices, those that know no preferred direction counting most.
