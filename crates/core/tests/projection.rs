@@ -68,7 +68,7 @@ fn the_cube_has_12_creases_and_8_junctions_by_projection() {
 }
 
 #[test]
-fn a_bracket_has_its_edges_marked_better_than_by_any_other_measure() {
+fn one_cut_marks_the_edges_of_a_bracket_better_than_any_other_measure() {
     let part = bracket().sample(&Scan::new(Sampling::Grid { step: 0.1 }));
     let truth = on_edges(&part);
     let mut params = Params::default();
