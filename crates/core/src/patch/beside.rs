@@ -59,6 +59,11 @@ impl Beside {
         &self.entries[self.first[i] as usize..self.first[i + 1] as usize]
     }
 
+    /// Distance from the nearest strip that the point lies beside; infinite without any.
+    pub fn clearance(&self, i: usize) -> f64 {
+        self.of(i).iter().map(|e| e.distance).fold(f64::INFINITY, f64::min)
+    }
+
     /// Whether the point lies on a strip rather than beside it.
     pub fn on_seam(&self, i: usize) -> bool {
         self.of(i).iter().any(|e| e.distance < self.seam)

@@ -3,11 +3,18 @@
 use super::beside::{Beside, Entry};
 use super::{Ground, NO_PATCH};
 use crate::math::union_find::UnionFind;
-use crate::math::vec3::{dot, sub};
+use crate::math::vec3::{dot, norm, sub};
 use rayon::prelude::*;
 
 /// Fewer points than this are no patch of their own.
 const LEAST: u32 = 6;
+/// Where no strip is nearer than this, spacings, nothing is narrow.
+const WIDE: f64 = 0.8;
+/// A place narrower than this share of what it would join joins nothing.
+const WAIST: f64 = 2.0;
+const CAP: f64 = 4.0;
+/// Sine of the angle to the surface beyond which an edge leaves it.
+const OFF_SURFACE: f64 = 0.6;
 /// Rounds in which points on the seams join the patch beside them.
 const ROUNDS: usize = 8;
 
@@ -15,15 +22,7 @@ const ROUNDS: usize = 8;
 pub fn flood(ground: &Ground, beside: &Beside) -> Vec<u32> {
     let count = ground.points.len();
     let seam: Vec<bool> = (0..count).into_par_iter().map(|i| beside.on_seam(i)).collect();
-    let mut sets = UnionFind::new(count);
-    for i in (0..count).filter(|&i| !seam[i]) {
-        let own = beside.of(i);
-        for &j in ground.graph.of(i).iter().filter(|&&j| j as usize > i && !seam[j as usize]) {
-            if own.is_empty() || !crosses(own, beside.of(j as usize)) {
-                sets.union(i as u32, j);
-            }
-        }
-    }
+    let mut sets = joined(ground, beside, &seam);
     let roots: Vec<u32> = (0..count as u32).map(|i| sets.find(i)).collect();
     let mut size = vec![0u32; count];
     roots.iter().zip(&seam).filter(|(_, s)| !**s).for_each(|(&r, _)| size[r as usize] += 1);
@@ -40,6 +39,50 @@ pub fn flood(ground: &Ground, beside: &Beside) -> Vec<u32> {
     }
     spread(ground, beside, &mut label);
     label
+}
+
+/// Joins what no strip parts, from the middle of the faces to the strips. What has grown wide on both sides of a place is not
+/// joined there if that place is narrow: one point that a strip's bend or end puts on the wrong side would join two faces.
+fn joined(ground: &Ground, beside: &Beside, seam: &[bool]) -> UnionFind {
+    let count = ground.points.len();
+    let wide = WIDE * ground.resolution.unit();
+    let clear: Vec<f64> = (0..count).into_par_iter().map(|i| beside.clearance(i).min(CAP * wide)).collect();
+    let mut sets = UnionFind::new(count);
+    let mut narrow = Vec::new();
+    for i in (0..count).filter(|&i| !seam[i]) {
+        let own = beside.of(i);
+        for &j in ground.graph.of(i).iter().filter(|&&j| j as usize > i && !seam[j as usize]) {
+            if through(ground, i, j as usize) || !own.is_empty() && crosses(own, beside.of(j as usize)) {
+                continue;
+            }
+            match clear[i].min(clear[j as usize]) {
+                c if c >= wide => _ = sets.union(i as u32, j),
+                c => narrow.push((c, i as u32, j)),
+            };
+        }
+    }
+    let mut peak = vec![0.0f64; count];
+    for i in 0..count {
+        let root = sets.find(i as u32) as usize;
+        peak[root] = peak[root].max(clear[i]);
+    }
+    narrow.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    for (c, i, j) in narrow {
+        let [a, b] = [i, j].map(|k| peak[sets.find(k) as usize]);
+        if a.min(b) <= WAIST * c {
+            sets.union(i, j);
+            let root = sets.find(i) as usize;
+            peak[root] = a.max(b);
+        }
+    }
+    sets
+}
+
+/// Whether two points lie on different sheets: the way from one to the other leaves the surface at both.
+fn through(ground: &Ground, i: usize, j: usize) -> bool {
+    let way = sub(ground.points[j], ground.points[i]);
+    let off = [i, j].map(|k| dot(ground.normals[k].map(f64::from), way).abs());
+    off[0].min(off[1]) - 3.0 * ground.resolution.noise > OFF_SURFACE * norm(way)
 }
 
 /// Whether two points lie on different sides of a strip.
