@@ -5,6 +5,7 @@
 
 pub(crate) mod align;
 pub(crate) mod border;
+mod pair;
 pub mod paper;
 pub mod robust;
 mod sharpness;

@@ -15,6 +15,7 @@
 
 use super::align::align;
 use super::border::{border, may_be_border};
+use super::pair::{Pair, pair};
 use super::sharpness::sharpness;
 use super::{Derived, density};
 use crate::detect::fold::{CrossSection, Fold};
@@ -114,7 +115,7 @@ impl Context<'_> {
     fn point(&self, i: usize, buffers: &mut Buffers, block: &mut Block) {
         let Buffers { scratch, angles, section } = buffers;
         let near = inner(self.graph, i, self.hops, scratch);
-        let (tensor, pull) = self.normal_tensor(i, near);
+        let (tensor, pull, sides) = self.sides(i, near);
         let fold = tensor.values[1].max(0.0).sqrt();
         let penalty = 1.0 - fold / (2.0 * self.least_fold);
         let folded = penalty < MOST_PENALTY;
@@ -126,7 +127,7 @@ impl Context<'_> {
         }
         let wide = self.graph.hops(i, self.hops.max(2), scratch);
         if folded {
-            let row = self.crease(i, &tensor, pull, penalty.max(0.0), wide, section);
+            let row = self.crease(i, &tensor, pull, sides, penalty.max(0.0), wide, section);
             if row.evidence > CLEARLY_SMOOTH {
                 block.crease.push((i as u32, row));
             }
@@ -134,6 +135,23 @@ impl Context<'_> {
         if open && let Some(row) = border(self.points, i, wide, self.resolution, angles) {
             block.border.push((i as u32, row));
         }
+    }
+
+    /// The tensor of all neighbours, or where these have more than two sides that of two of them.
+    pub(crate) fn sides(&self, i: usize, near: &[u32]) -> (Eigen3, [f64; 3], Option<Pair>) {
+        let (tensor, pull) = self.normal_tensor(i, near);
+        let [least, middle, _] = tensor.values.map(|x| x.max(0.0));
+        let folded = middle.sqrt() > 2.0 * self.least_fold * (1.0 - MOST_PENALTY);
+        if !folded || least.sqrt() > self.least_fold {
+            return (tensor, pull, None);
+        }
+        let foot = add(self.points[i], shift(&tensor, pull, 1));
+        let Some(pair) = pair(self, i, near, tensor.vectors[0], foot) else { return (tensor, pull, None) };
+        let holds =
+            |&&j: &&u32| pair.holds(self.points[j as usize], self.normals.vectors[j as usize].map(f64::from));
+        let some: Vec<u32> = near.iter().filter(holds).copied().collect();
+        let (tensor, pull) = self.normal_tensor(i, &some);
+        (tensor, pull, Some(pair))
     }
 
     /// Correlation tensor of the normals around point `i`, and `sum w n (n . (q - p))`, both over the sum of weights.
@@ -156,17 +174,14 @@ impl Context<'_> {
         i: usize,
         tensor: &Eigen3,
         pull: [f64; 3],
+        sides: Option<Pair>,
         penalty: f64,
         wide: &[u32],
         section: &mut CrossSection,
     ) -> Row {
         let [least, middle, _] = tensor.values.map(|x| x.max(0.0));
         let corner = least.sqrt() > self.least_fold;
-        let mut shift = [0.0; 3];
-        for k in if corner { 0 } else { 1 }..3 {
-            let along = dot(tensor.vectors[k], pull) / tensor.values[k].max(1e-12);
-            shift = add_scaled(shift, tensor.vectors[k], along);
-        }
+        let shift = shift(tensor, pull, if corner { 0 } else { 1 });
         let reach = 2.0 * self.resolution.unit() + 2.0 * self.resolution.noise;
         let foot = if norm(shift) <= reach { add(self.points[i], shift) } else { self.points[i] };
         let certainty = if middle > 0.0 { 1.0 - (least / middle).sqrt() } else { 0.0 };
@@ -174,7 +189,10 @@ impl Context<'_> {
         let sharp = if corner {
             Fold::default()
         } else {
-            let near = wide.iter().map(|&j| self.points[j as usize]).chain([self.points[i]]);
+            let seen = |&j: &usize| {
+                sides.is_none_or(|s| s.holds(self.points[j], self.normals.vectors[j].map(f64::from)))
+            };
+            let near = wide.iter().map(|&j| j as usize).filter(seen).chain([i]).map(|j| self.points[j]);
             sharpness(near, tensor, foot, self.resolution, section)
         };
         Row {
@@ -187,4 +205,12 @@ impl Context<'_> {
             fold: sharp.angle.abs() as f32,
         }
     }
+}
+
+/// From a point to the place nearest to all tangent planes, along the axes of the tensor from `first` on.
+fn shift(tensor: &Eigen3, pull: [f64; 3], first: usize) -> [f64; 3] {
+    (first..3).fold([0.0; 3], |shift, k| {
+        let along = dot(tensor.vectors[k], pull) / tensor.values[k].max(1e-12);
+        add_scaled(shift, tensor.vectors[k], along)
+    })
 }

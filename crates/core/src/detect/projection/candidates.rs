@@ -101,7 +101,7 @@ fn rows(context: &Context, marks: &Marks) -> Vec<Candidate> {
         let wide = context.graph.hops(i, context.hops.max(2), scratch);
         let penalty = marks.threshold / (score + marks.threshold);
         let crease = (is_crease && fold > LEAST_FOLDED * context.least_fold)
-            .then(|| context.crease(i, &tensor, pull, penalty, wide, section))
+            .then(|| context.crease(i, &tensor, pull, None, penalty, wide, section))
             .filter(|row| row.evidence > CLEARLY_SMOOTH);
         Some((i as u32, crease, border.filter(|_| fold < ACUTE)))
     };

@@ -1,0 +1,67 @@
+//! Two sides out of several: faces narrower than a neighbourhood (robust form).
+//!
+//! A chamfer or the rim of a plate puts three faces and two creases into one neighbourhood. The point nearest to all three
+//! tangent planes lies on neither crease. Where that point is far from the planes, a point looks at its own face and at the
+//! nearest other one alone.
+
+use super::robust::Context;
+use crate::math::vec3::{add_scaled, distance, dot, norm, sub, unit};
+
+/// Root mean square distance of the tangent planes from their common point up to which they are one crease, spacings; twice
+/// the noise more.
+const ONE_CREASE: f64 = 0.3;
+/// Normals of one side differ by less.
+const SAME_DEG: f64 = 20.0;
+/// Points of one side lie this near to its plane, spacings, and twice the noise more.
+const SAME_PLANE: f64 = 0.35;
+
+/// A point's own side and the nearest other one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pair {
+    normals: [[f64; 3]; 2],
+    places: [[f64; 3]; 2],
+    cosine: f64,
+    plane: f64,
+}
+
+impl Pair {
+    /// Whether a point with its normal lies on either side.
+    pub(crate) fn holds(&self, place: [f64; 3], normal: [f64; 3]) -> bool {
+        (0..2).any(|k| self.on_side(k, place, normal))
+    }
+
+    fn on_side(&self, k: usize, place: [f64; 3], normal: [f64; 3]) -> bool {
+        dot(self.normals[k], normal).abs() >= self.cosine
+            && dot(self.normals[k], sub(place, self.places[k])).abs() <= self.plane
+    }
+}
+
+/// The two sides at point `i`, if the tangent planes of `near` have no place in common near `foot`.
+pub(crate) fn pair(context: &Context, i: usize, near: &[u32], axis: [f64; 3], foot: [f64; 3]) -> Option<Pair> {
+    let (h, noise) = (context.resolution.unit(), context.resolution.noise);
+    let normal = |j: usize| context.normals.vectors[j].map(f64::from);
+    let place = |j: usize| context.points[j];
+    let (mut squares, mut total) = (0.0, 0.0);
+    for j in near.iter().map(|&j| j as usize).chain([i]) {
+        let weight = f64::from(context.normals.support[j]);
+        squares += weight * dot(normal(j), sub(foot, place(j))).powi(2);
+        total += weight;
+    }
+    if squares <= total * (ONE_CREASE * h + 2.0 * noise).powi(2) {
+        return None;
+    }
+    let own = normal(i);
+    let cosine = SAME_DEG.to_radians().cos();
+    let other = near
+        .iter()
+        .map(|&j| j as usize)
+        .filter(|&j| dot(own, normal(j)).abs() < cosine)
+        .min_by(|&a, &b| distance(place(a), place(i)).total_cmp(&distance(place(b), place(i))).then(a.cmp(&b)))?;
+    let _ = (axis, norm([0.0; 3]), unit([1.0, 0.0, 0.0]), add_scaled([0.0; 3], [0.0; 3], 0.0));
+    Some(Pair {
+        normals: [own, normal(other)],
+        places: [place(i), place(other)],
+        cosine,
+        plane: SAME_PLANE * h + 2.0 * noise,
+    })
+}
