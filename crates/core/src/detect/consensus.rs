@@ -17,6 +17,12 @@ const NEAREST: usize = 6;
 /// Refinements by weighted least squares.
 const REFINEMENTS: usize = 2;
 
+/// A plane with a smaller share of the neighbours may have won by chance: a wider neighbourhood decides.
+const SURE: f64 = 0.7;
+
+/// What a neighbour counts there that is farther than the first.
+const RING: f64 = 0.375;
+
 /// Exponent from which on a weight counts as none.
 pub(super) const FAR: f64 = 8.0;
 
@@ -47,16 +53,23 @@ pub fn consensus_normals(
             let all = graph.hops(i, hops, scratch);
             let candidates =
                 [&near[..near.len().min(NEAREST)], all].map(|set| ellipsoid(points, i, set).axes.vectors[0]);
-            best(points, i, all, rate, candidates.into_iter()).map(|x| x as f32)
+            best(points, i, all, &[], rate, candidates.into_iter()).0.map(|x| x as f32)
         })
         .collect();
     blocks()
         .map_init(Scratch::default, |scratch, i| {
-            let planes = std::iter::once(i)
-                .chain(graph.of(i).iter().map(|&j| j as usize))
-                .map(|j| own[j].map(f64::from));
+            let planes = || {
+                let near = graph.of(i).iter().map(|&j| j as usize);
+                std::iter::once(i).chain(near).map(|j| own[j].map(f64::from))
+            };
             let all = graph.hops(i, hops, scratch);
-            let mut normal = best(points, i, all, rate, planes);
+            let near = all.len();
+            let (mut normal, weight) = best(points, i, all, &[], rate, planes());
+            if weight < SURE * near as f64 {
+                let (near, ring) = graph.hops(i, hops + 1, scratch).split_at(near);
+                normal = best(points, i, near, ring, rate, planes()).0;
+            }
+            let all = graph.hops(i, hops, scratch);
             for _ in 0..REFINEMENTS {
                 normal = refined(points, i, all, rate, normal);
             }
@@ -65,29 +78,28 @@ pub fn consensus_normals(
         .collect()
 }
 
-/// The candidate with most weight of neighbours; the first among equals.
+/// The candidate with most weight of neighbours, those of the `ring` beyond them counting less; the first among equals, and that weight.
 fn best(
     points: &[[f64; 3]],
     i: usize,
-    neighbors: &[u32],
+    near: &[u32],
+    ring: &[u32],
     rate: f64,
     candidates: impl Iterator<Item = [f64; 3]>,
-) -> [f64; 3] {
+) -> ([f64; 3], f64) {
     let mut best = ([0.0, 0.0, 1.0], -1.0);
     for normal in candidates {
-        let weight: f64 = neighbors
-            .iter()
-            .map(|&j| {
-                let offset = dot(normal, sub(points[j as usize], points[i]));
-                // A Cauchy weight ranks like a Gaussian and costs a division.
-                1.0 / (1.0 + offset * offset * rate * 2.0)
-            })
-            .sum();
+        // A Cauchy weight ranks like a Gaussian and costs a division.
+        let weigh = |j: &u32| {
+            let offset = dot(normal, sub(points[*j as usize], points[i]));
+            1.0 / (1.0 + offset * offset * rate * 2.0)
+        };
+        let weight = near.iter().map(weigh).sum::<f64>() + RING * ring.iter().map(weigh).sum::<f64>();
         if weight > best.1 {
             best = (normal, weight);
         }
     }
-    best.0
+    best
 }
 
 /// One step of weighted least squares from `normal`, the plane free to leave the point.

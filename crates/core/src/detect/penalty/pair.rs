@@ -37,7 +37,13 @@ impl Pair {
 }
 
 /// The two sides at point `i`, if the tangent planes of `near` have no place in common near `foot`.
-pub(crate) fn pair(context: &Context, i: usize, near: &[u32], axis: [f64; 3], foot: [f64; 3]) -> Option<Pair> {
+pub(crate) fn pair(
+    context: &Context,
+    i: usize,
+    near: &[u32],
+    axis: [f64; 3],
+    foot: [f64; 3],
+) -> Option<Pair> {
     let (h, noise) = (context.resolution.unit(), context.resolution.noise);
     let normal = |j: usize| context.normals.vectors[j].map(f64::from);
     let place = |j: usize| context.points[j];
@@ -52,11 +58,9 @@ pub(crate) fn pair(context: &Context, i: usize, near: &[u32], axis: [f64; 3], fo
     }
     let own = normal(i);
     let cosine = SAME_DEG.to_radians().cos();
-    let other = near
-        .iter()
-        .map(|&j| j as usize)
-        .filter(|&j| dot(own, normal(j)).abs() < cosine)
-        .min_by(|&a, &b| distance(place(a), place(i)).total_cmp(&distance(place(b), place(i))).then(a.cmp(&b)))?;
+    let other = near.iter().map(|&j| j as usize).filter(|&j| dot(own, normal(j)).abs() < cosine).min_by(
+        |&a, &b| distance(place(a), place(i)).total_cmp(&distance(place(b), place(i))).then(a.cmp(&b)),
+    )?;
     let _ = (axis, norm([0.0; 3]), unit([1.0, 0.0, 0.0]), add_scaled([0.0; 3], [0.0; 3], 0.0));
     Some(Pair {
         normals: [own, normal(other)],
