@@ -5,11 +5,11 @@
 //! nearest other one alone.
 
 use super::robust::Context;
-use crate::math::vec3::{add_scaled, distance, dot, norm, sub, unit};
+use crate::math::vec3::{distance2, dot, sub};
 
 /// Root mean square distance of the tangent planes from their common point up to which they are one crease, spacings; twice
 /// the noise more.
-const ONE_CREASE: f64 = 0.3;
+const ONE_CREASE: f64 = 0.2;
 /// Normals of one side differ by less.
 const SAME_DEG: f64 = 20.0;
 /// Points of one side lie this near to its plane, spacings, and twice the noise more.
@@ -37,13 +37,7 @@ impl Pair {
 }
 
 /// The two sides at point `i`, if the tangent planes of `near` have no place in common near `foot`.
-pub(crate) fn pair(
-    context: &Context,
-    i: usize,
-    near: &[u32],
-    axis: [f64; 3],
-    foot: [f64; 3],
-) -> Option<Pair> {
+pub(crate) fn pair(context: &Context, i: usize, near: &[u32], foot: [f64; 3]) -> Option<Pair> {
     let (h, noise) = (context.resolution.unit(), context.resolution.noise);
     let normal = |j: usize| context.normals.vectors[j].map(f64::from);
     let place = |j: usize| context.points[j];
@@ -59,9 +53,8 @@ pub(crate) fn pair(
     let own = normal(i);
     let cosine = SAME_DEG.to_radians().cos();
     let other = near.iter().map(|&j| j as usize).filter(|&j| dot(own, normal(j)).abs() < cosine).min_by(
-        |&a, &b| distance(place(a), place(i)).total_cmp(&distance(place(b), place(i))).then(a.cmp(&b)),
+        |&a, &b| distance2(place(a), place(i)).total_cmp(&distance2(place(b), place(i))).then(a.cmp(&b)),
     )?;
-    let _ = (axis, norm([0.0; 3]), unit([1.0, 0.0, 0.0]), add_scaled([0.0; 3], [0.0; 3], 0.0));
     Some(Pair {
         normals: [own, normal(other)],
         places: [place(i), place(other)],

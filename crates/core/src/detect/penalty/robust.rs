@@ -10,6 +10,7 @@
 //! * **Corner.** At a corner the least eigenvalue of `M` is large too, and no direction is preferred.
 //! * **Foot.** The point nearest to all tangent planes of the neighbourhood (the quadric error of the paper's section 4.2,
 //!   along the well-determined eigenvectors of `M` only) says where on the crease or corner the point belongs.
+//! * **Narrow faces.** Where a neighbourhood holds more than two faces, two of them are looked at alone (`pair`).
 //! * **Border.** The open angle counts only if it is wider than chance would leave it in as many directions, and not at an
 //!   acute crease, where one face hides the other.
 
@@ -146,7 +147,7 @@ impl Context<'_> {
             return (tensor, pull, None);
         }
         let foot = add(self.points[i], shift(&tensor, pull, 1));
-        let Some(pair) = pair(self, i, near, tensor.vectors[0], foot) else { return (tensor, pull, None) };
+        let Some(pair) = pair(self, i, near, foot) else { return (tensor, pull, None) };
         let holds =
             |&&j: &&u32| pair.holds(self.points[j as usize], self.normals.vectors[j as usize].map(f64::from));
         let some: Vec<u32> = near.iter().filter(holds).copied().collect();
