@@ -6,6 +6,7 @@ mod corner;
 mod dock;
 mod judge;
 mod prune;
+mod rungs;
 mod spanning;
 mod walk;
 mod weight;
@@ -15,6 +16,7 @@ pub use corner::corners;
 pub use dock::dock;
 pub use judge::judge;
 pub use prune::prune;
+pub use rungs::remove_rungs;
 pub use spanning::minimum_spanning_graph;
 pub use weight::{Candidate, candidate_edges};
 
@@ -98,9 +100,11 @@ pub(crate) fn lines_of(
     let mut lines = minimum_spanning_graph(penalties, &edges, resolution, reach);
     prune(&mut lines, resolution, reach);
     if reach.openness > 0.0 {
+        remove_rungs(&mut lines, resolution);
         judge(&mut lines, resolution, reach);
         bridge(&mut lines, kind, resolution);
         prune(&mut lines, resolution, Reach { rho: SPURS * reach.rho, ..reach });
+        remove_rungs(&mut lines, resolution);
         corners(&mut lines, kind, resolution);
     }
     lines

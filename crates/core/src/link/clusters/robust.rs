@@ -22,7 +22,9 @@ use super::smooth::smooth;
 use super::{Linked, Recorder, forest};
 use crate::detect::segments::Segmentation;
 use crate::link::walk::Walker;
-use crate::link::{Candidate, Reach, bridge, candidate_edges, corners, dock, judge, lines_of, prune};
+use crate::link::{
+    Candidate, Reach, bridge, candidate_edges, corners, dock, judge, lines_of, prune, remove_rungs,
+};
 use crate::math::vec3::distance;
 use crate::measure::{Measure, Penalties};
 use crate::neighbors::Neighbors;
@@ -101,6 +103,7 @@ fn close(cloud: &Context, penalties: &Penalties, border: LineGraph, recorder: &m
     let mut lines = forest(&clusters.lines, &clusters.weights, Some((resolution, reach)));
     recorder.lines("G_pruned_mst", &lines);
     prune(&mut lines, resolution, reach);
+    remove_rungs(&mut lines, resolution);
     judge(&mut lines, resolution, reach);
     recorder.lines("G_pruned_branches", &lines);
     let all = ground(&clusters, &cluster_of, points, graph, penalties, segments, resolution);
@@ -116,6 +119,7 @@ fn close(cloud: &Context, penalties: &Penalties, border: LineGraph, recorder: &m
         connect_within(&mut lines, gap * resolution.spacing, &mut walker, resolution.spacing);
     }
     remove_open(&mut lines);
+    remove_rungs(&mut lines, resolution);
     recorder.lines("G_closed", &lines);
     smooth(&mut lines, SMOOTHING);
     recorder.lines("G_smooth", &lines);
