@@ -9,11 +9,15 @@ use super::strips::Path;
 use crate::frame::on_grid;
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::{add_scaled, distance, scale};
+use crate::neighbors::Index;
 use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
 /// Strips between two junctions or corners up to this many spacings long are taken for one.
 const CONTRACTED: f64 = 3.0;
+
+/// A crease that ends this near to a border's node ends on it, spacings.
+const NEAR: f64 = 1.0;
 
 /// One node.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,12 +90,26 @@ pub fn agree(crease: (&LineGraph, &mut Meeting), border: (&LineGraph, &Meeting),
             meeting.clusters[g as usize].position = place;
         }
     }
+    land(lines, meeting, border.1, NEAR * resolution.unit());
     let clusters = &meeting.clusters;
     meeting.paths.retain(|path| {
         let Some([a, b]) = path.ends else { return true };
         clusters[a as usize].position != clusters[b as usize].position
             || length(lines, path) > CONTRACTED * resolution.unit()
     });
+}
+
+/// Puts the ends of single creases on the node of a border that is at most `near` away.
+fn land(lines: &LineGraph, crease: &mut Meeting, border: &Meeting, near: f64) {
+    let places: Vec<[f64; 3]> = border.clusters.iter().map(|c| c.position).collect();
+    let index = Index::build(&places);
+    let mut found = Vec::new();
+    for cluster in crease.clusters.iter_mut().filter(|c| lines.edges[c.vertex as usize].len() == 1) {
+        index.within(cluster.position, near, &mut found);
+        if let Some(nearest) = found.first() {
+            cluster.position = places[nearest.index as usize];
+        }
+    }
 }
 
 /// Length of a path along its vertices.

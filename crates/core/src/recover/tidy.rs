@@ -3,14 +3,33 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::check::trace;
-use crate::network::{Network, NodeKind};
+use crate::math::vec3::distance;
+use crate::network::{Network, NodeKind, Strip, StripKind};
 
-/// Makes nodes at one place one node, keeps the first of strips with the same points, and counts what meets in each node.
-pub fn tidy(network: &mut Network) {
+/// Makes nodes at one place one node, keeps the first of strips with the same points, leaves out the stubs that remain,
+/// creases up to `stub` long, and counts what meets in each node.
+pub fn tidy(network: &mut Network, stub: f64) {
     unite(network);
     let mut seen = BTreeSet::new();
     network.strips.retain(|strip| seen.insert((strip.closed, trace(strip))));
     count(network);
+    loop {
+        let before = network.strips.len();
+        let Network { nodes, strips, .. } = network;
+        strips.retain(|s| !is_stub(s, stub, |end| nodes[end as usize].degree));
+        if network.strips.len() == before {
+            break;
+        }
+        count(network);
+    }
+}
+
+/// Whether a strip is short and ends loose beside what it hangs on.
+fn is_stub(strip: &Strip, longest: f64, degree: impl Fn(u32) -> u32) -> bool {
+    let (Some(start), Some(end)) = (strip.start, strip.end) else { return false };
+    let [a, b] = [degree(start), degree(end)];
+    let length: f64 = strip.points.windows(2).map(|w| distance(w[0], w[1])).sum();
+    strip.kind == StripKind::Crease && a.min(b) == 1 && a.max(b) > 1 && length <= longest
 }
 
 /// Leaves out the nodes that no strip meets, and counts what meets in the others.
