@@ -49,9 +49,7 @@ pub fn corners(lines: &mut LineGraph, kind: StripKind, resolution: Resolution) {
     let rounded = ROUNDED.iter().find(|r| r.0 == kind).map_or(0.0, |r| r.1);
     for path in paths(lines) {
         let run = Run::new(lines, &path, h, rounded);
-        for corner in run.corners() {
-            place(lines, &path, &run, corner);
-        }
+        place(lines, &path, &run, &run.corners());
     }
 }
 
@@ -102,6 +100,12 @@ impl Run {
         found
     }
 
+    /// Length of path between two of its vertices, spacings.
+    fn apart(&self, i: usize, j: usize) -> f64 {
+        let s = (self.along[i] - self.along[j]).abs();
+        if self.closed { s.min(self.length - s) } else { s }
+    }
+
     /// The corners, the clearest first, each at least a side's least length from the next.
     fn corners(&self) -> Vec<Corner> {
         let mut all: Vec<Corner> = (0..self.positions.len())
@@ -110,11 +114,7 @@ impl Run {
         all.sort_by(|a, b| a.ratio.total_cmp(&b.ratio).then(a.at.cmp(&b.at)));
         let mut kept: Vec<Corner> = Vec::new();
         for corner in all {
-            let apart = |k: &Corner| {
-                let s = (self.along[k.at] - self.along[corner.at]).abs();
-                if self.closed { s.min(self.length - s) } else { s }
-            };
-            if kept.iter().all(|k| apart(k) >= (k.spoilt + corner.spoilt).max(APART)) {
+            if kept.iter().all(|k| self.apart(k.at, corner.at) >= (k.spoilt + corner.spoilt).max(APART)) {
                 kept.push(corner);
             }
         }
@@ -260,28 +260,28 @@ fn smooth_residual(sides: &[Vec<(f64, [f64; 3])>; 2]) -> f64 {
     (squares / count).sqrt()
 }
 
-/// Puts a node at the corner in place of the vertices next to it.
-fn place(lines: &mut LineGraph, path: &Path, run: &Run, corner: Corner) {
-    let vertex = path.vertices[corner.at];
-    lines.positions[vertex as usize] = corner.position;
-    lines.corner[vertex as usize] = 0.0;
-    lines.nodes.push(vertex);
+/// Puts nodes at the corners of a path in place of the vertices next to them.
+fn place(lines: &mut LineGraph, path: &Path, run: &Run, corners: &[Corner]) {
     let count = path.vertices.len();
-    for step in [1, count - 1] {
-        let mut i = corner.at;
-        for _ in 1..count {
-            let next = (i + step) % count;
-            let inner = run.closed || (next > 0 && next + 1 < count);
-            let s = (run.along[next] - run.along[corner.at]).abs();
-            let s = if run.closed { s.min(run.length - s) } else { s };
-            if !inner || s >= corner.spoilt {
-                lines.add_edge(vertex, path.vertices[next]);
-                break;
-            }
-            lines.remove_edge(path.vertices[i], path.vertices[next]);
-            let after = path.vertices[(next + step) % count];
-            lines.remove_edge(path.vertices[next], after);
-            i = next;
-        }
+    let is_end = |i: usize| !run.closed && (i == 0 || i + 1 == count);
+    let spoilt = |i: usize| corners.iter().any(|c| run.apart(i, c.at) < c.spoilt);
+    let is_corner = |i: usize| corners.iter().any(|c| c.at == i);
+    let kept: Vec<u32> =
+        (0..count).filter(|&i| is_end(i) || is_corner(i) || !spoilt(i)).map(|i| path.vertices[i]).collect();
+    if corners.is_empty() || (run.closed && kept.len() < 3) {
+        return;
     }
+    for corner in corners {
+        let vertex = path.vertices[corner.at];
+        lines.positions[vertex as usize] = corner.position;
+        lines.corner[vertex as usize] = 0.0;
+        lines.nodes.push(vertex);
+    }
+    let around = |row: &[u32]| row.windows(2).map(|w| (w[0], w[1])).collect::<Vec<_>>();
+    let closing = |row: &[u32]| run.closed.then(|| (row[row.len() - 1], row[0]));
+    around(&path.vertices)
+        .into_iter()
+        .chain(closing(&path.vertices))
+        .for_each(|(a, b)| lines.remove_edge(a, b));
+    around(&kept).into_iter().chain(closing(&kept)).for_each(|(a, b)| lines.add_edge(a, b));
 }
