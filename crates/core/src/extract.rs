@@ -12,7 +12,7 @@ use crate::network::Network;
 use crate::params::{SegmentForm, SegmentParams};
 use crate::patch::{Ground, NO_PATCH, Patches, patches};
 use crate::pattern::Pattern;
-use crate::recover::{recover, settle};
+use crate::recover::{recover, settle, take_back};
 use crate::resolution::Resolution;
 use crate::{Cloud, Error, Method, Params};
 use std::time::Instant;
@@ -142,13 +142,23 @@ pub fn extract_observed(
     };
     let reach = reach(&params.spanning, params.penalty.form, positions.len());
     let mut measure = clock.run(Stage::Detect, || detect(&positions, &graph, resolution, params));
-    let (pattern, clusters) =
+    let (mut pattern, clusters) =
         clock.run(Stage::Link, || linked(&positions, &graph, &mut measure, resolution, params, reach));
-    let network = clock.run(Stage::Recover, || recover(&pattern, resolution, &params.spline));
+    let mut network = clock.run(Stage::Recover, || recover(&pattern, resolution, &params.spline));
+    let robust_segments = params.method == Method::Segments && params.segments.form == SegmentForm::Robust;
     let wanted = params.patches.find.or(|| params.method == Method::Segments);
     let patches = wanted.then(|| {
         let ground = Ground { points: &positions, graph: &graph, normals: &measure.normal, resolution };
-        clock.run(Stage::Patches, || patches(&ground, &network))
+        clock.run(Stage::Patches, || {
+            let first = patches(&ground, &network);
+            if !robust_segments
+                || !take_back(&mut pattern.crease, &network, &first, resolution, params.penalty.fold_deg)
+            {
+                return first;
+            }
+            network = recover(&pattern, resolution, &params.spline);
+            patches(&ground, &network)
+        })
     });
 
     if measure.class.is_empty() {

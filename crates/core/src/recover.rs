@@ -3,9 +3,11 @@
 mod nodes;
 mod strips;
 mod tidy;
+mod verify;
 
 pub use strips::{Path, paths};
 pub use tidy::settle;
+pub use verify::take_back;
 
 use crate::curve::{FitOptions, fit};
 use crate::math::vec3::{distance, distance2};
