@@ -175,8 +175,8 @@ pub fn extract_observed(
         settings: settings(params, resolution, reach),
         notes: notes(params, resolution, clusters.as_ref()),
     };
-    let network = to_world(network, &frame, &source);
-    let patches = patches.map(|p| p.placed(&frame));
+    let (network, stay) = to_world(network, &frame, &source);
+    let patches = patches.map(|p| p.placed(&frame).of_strips(&stay));
     Ok(Extraction { report, frame, source, canonical, measure, pattern, clusters, network, patches })
 }
 
@@ -329,8 +329,9 @@ fn notes(params: &Params, resolution: Resolution, clusters: Option<&ClusterStage
     }
 }
 
-/// Positions into the world frame, sources into the order of the input.
-fn to_world(mut network: Network, frame: &Frame, source: &[u32]) -> Network {
+/// Positions into the world frame, sources into the order of the input; which strips stay, as far coordinates can be too
+/// coarse for a short line.
+fn to_world(mut network: Network, frame: &Frame, source: &[u32]) -> (Network, Vec<bool>) {
     let unit = frame.length_to_world(1.0);
     let placed = |p: [f64; 3]| frame.to_world(p.map(on_grid));
     for node in &mut network.nodes {
@@ -348,8 +349,6 @@ fn to_world(mut network: Network, frame: &Frame, source: &[u32]) -> Network {
             *s = source[*s as usize];
         }
     }
-    // Far coordinates can be too coarse for a short line.
-    network.strips.retain(|strip| strip.points.len() >= if strip.closed { 3 } else { 2 });
-    settle(&mut network);
-    network
+    let stay = settle(&mut network);
+    (network, stay)
 }

@@ -130,6 +130,24 @@ impl Patches {
         }
         self
     }
+
+    /// What remains when only some strips `stay`, numbered anew.
+    pub(crate) fn of_strips(mut self, stay: &[bool]) -> Patches {
+        if stay.iter().all(|&s| s) {
+            return self;
+        }
+        let mut number = vec![None; stay.len()];
+        (0..stay.len()).filter(|&s| stay[s]).enumerate().for_each(|(n, s)| number[s] = Some(n as u32));
+        let mut next = stay.iter();
+        self.sides.retain(|_| next.next().is_some_and(|&s| s));
+        for l in self.patches.iter_mut().flat_map(|p| &mut p.loops) {
+            let kept =
+                l.coedges.iter().filter_map(|c| Some(Coedge { strip: number[c.strip as usize]?, ..*c }));
+            l.coedges = kept.collect();
+        }
+        self.patches.iter_mut().for_each(|p| p.loops.retain(|l| !l.coedges.is_empty()));
+        self
+    }
 }
 
 #[cfg(test)]

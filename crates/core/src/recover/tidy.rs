@@ -32,8 +32,15 @@ fn is_stub(strip: &Strip, longest: f64, degree: impl Fn(u32) -> u32) -> bool {
     strip.kind == StripKind::Crease && a.min(b) == 1 && a.max(b) > 1 && length <= longest
 }
 
-/// Leaves out the nodes that no strip meets, and counts what meets in the others.
-pub fn settle(network: &mut Network) {
+/// Leaves out strips that the world frame's rounding has shrunk to a point or made the same as another, and nodes that no strip
+/// meets; counts what meets in the others. Says which strips stay.
+pub fn settle(network: &mut Network) -> Vec<bool> {
+    let mut seen = BTreeSet::new();
+    let long = |s: &Strip| s.points.len() >= if s.closed { 3 } else { 2 };
+    let stay: Vec<bool> =
+        network.strips.iter().map(|s| long(s) && seen.insert((s.closed, trace(s)))).collect();
+    let mut next = stay.iter();
+    network.strips.retain(|_| next.next().is_some_and(|&s| s));
     let mut met = vec![false; network.nodes.len()];
     network.strips.iter().flat_map(|s| [s.start, s.end]).flatten().for_each(|end| met[end as usize] = true);
     let number: Vec<u32> = met
@@ -49,6 +56,7 @@ pub fn settle(network: &mut Network) {
         *end = number[*end as usize];
     }
     count(network);
+    stay
 }
 
 fn unite(network: &mut Network) {
