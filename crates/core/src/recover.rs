@@ -129,3 +129,6 @@ fn polyline(curve: &crate::curve::BSpline, step: f64) -> Vec<[f64; 3]> {
     points.dedup_by(|a, b| distance(*a, *b) == 0.0);
     points
 }
+
+#[cfg(test)]
+mod tests;

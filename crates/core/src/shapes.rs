@@ -34,7 +34,7 @@ mod truth;
 mod turns;
 mod uniform;
 
-pub use blocks::{cuboid, star_prism, tapered_block, wedge};
+pub use blocks::{chamfered_block, cuboid, star_prism, tapered_block, wedge};
 pub use bracket::bracket;
 pub use brick::brick;
 pub use cube::{cube, cube_386, random_cube};

@@ -285,3 +285,50 @@ fn place(lines: &mut LineGraph, path: &Path, run: &Run, corners: &[Corner]) {
         .for_each(|(a, b)| lines.remove_edge(a, b));
     around(&kept).into_iter().chain(closing(&kept)).for_each(|(a, b)| lines.add_edge(a, b));
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A rectangle as a loop of vertices `step` apart, the first `shift` along it.
+    fn rectangle(sides: [f64; 2], step: f64, shift: f64) -> LineGraph {
+        let [a, b] = sides;
+        let round = 2.0 * (a + b);
+        let at = |s: f64| match s.rem_euclid(round) {
+            s if s < a => [s, 0.0, 0.0],
+            s if s < a + b => [a, s - a, 0.0],
+            s if s < 2.0 * a + b => [2.0 * a + b - s, b, 0.0],
+            s => [0.0, round - s, 0.0],
+        };
+        let mut lines = LineGraph::default();
+        let count = (round / step) as u32;
+        for i in 0..count {
+            lines.points.push(i);
+            lines.positions.push(at(shift + f64::from(i) * step));
+            lines.penalty.push(0.0);
+            lines.corner.push(1.0);
+            lines.evidence.push(9.0);
+            lines.expected.push(9.0);
+            lines.fold.push(1.0);
+            lines.edges.push(Vec::new());
+        }
+        (0..count).for_each(|i| lines.add_edge(i, (i + 1) % count));
+        lines
+    }
+
+    #[test]
+    fn a_loop_with_near_corners_stays_closed() {
+        let mut found = 0;
+        for step in [0.7, 1.0, 1.3] {
+            for (shift, side) in
+                (0..10).flat_map(|k| [4.0, 5.0, 6.0, 8.0].map(|side| (0.1 * f64::from(k), side)))
+            {
+                let mut lines = rectangle([30.0, side], step, shift);
+                corners(&mut lines, StripKind::Border, Resolution { spacing: 1.0, noise: 0.0 });
+                assert!(lines.edges.iter().all(|e| e.is_empty() || e.len() == 2), "{step} {shift} {side}");
+                found += lines.nodes.len();
+            }
+        }
+        assert!(found > 200, "{found} corners");
+    }
+}

@@ -10,7 +10,7 @@ use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
 /// Greatest length of a rung, spacings.
-const LONGEST: f64 = 3.2;
+const LONGEST: f64 = 5.0;
 /// Most edges: a longer row is a line that was seen.
 const MOST_EDGES: usize = 2;
 /// Length of line on both sides of an end that says whether it passes straight, spacings.
@@ -120,7 +120,7 @@ mod tests {
 
     #[test]
     fn a_long_link_stays() {
-        let mut lines = rows(4.0);
+        let mut lines = rows(6.0);
         lines.add_edge(9, 29);
         remove_rungs(&mut lines, UNIT);
         assert_eq!(lines.edge_count(), 39);

@@ -31,6 +31,23 @@ pub fn wedge(fold_deg: f64) -> Shape {
     prism("wedge", &outline, 2.0, |[y, z, x]| [x, y, z])
 }
 
+/// A block 3 long, 2 deep and 1 high whose four upright edges are cut off at 45 degrees by faces of this width, above 0 and
+/// below 2: 24 creases, 8 of them folding by 45 degrees, and 16 junctions.
+pub fn chamfered_block(width: f64) -> Shape {
+    let leg = width * std::f64::consts::FRAC_1_SQRT_2;
+    let outline = [
+        [leg, 0.0],
+        [3.0 - leg, 0.0],
+        [3.0, leg],
+        [3.0, 2.0 - leg],
+        [3.0 - leg, 2.0],
+        [leg, 2.0],
+        [0.0, 2.0 - leg],
+        [0.0, leg],
+    ];
+    prism("chamfered block", &outline, 1.0, |p| p)
+}
+
 /// A prism over a star with this many points (4 at least: with 3 the inner corners would be straight), outer radius 1,
 /// inner radius 0.5, height 2: convex and concave edges in turn.
 pub fn star_prism(points: u32) -> Shape {
