@@ -2,7 +2,8 @@
 //!
 //! One point's cross-section says little under noise; along a strip the evidence adds up. What a strip shows is compared with
 //! what a sharp fold of its own angle would show at the same places: sharp strips reach it, rounds reach none of it, and the
-//! comparison needs no threshold that would have to grow with noise. Not in Gumhold 2001, whose pruning is by length alone.
+//! comparison needs no threshold that would have to grow with noise. A piece of the network whose evidence all together could be
+//! chance is dropped as well. Not in Gumhold 2001, whose pruning is by length alone.
 
 use super::Reach;
 use crate::math::union_find::UnionFind;
@@ -16,7 +17,11 @@ const SHARP: f64 = 0.4;
 /// A strip shorter than this, in spacings, lies within the junctions at its ends and is not judged by itself.
 const WITHIN_JUNCTION: f64 = 3.0;
 
-/// Drops strips that are round, then what is left in pieces too short to be lines.
+/// Evidence that a connected piece must show, variances: neighbouring points share their neighbours, so that chance adds up to some
+/// twenty along the false lines of a noisy round.
+const LEAST_EVIDENCE: f64 = 25.0;
+
+/// Drops strips that are round, then pieces too short or with too little evidence to be lines.
 pub fn judge(lines: &mut LineGraph, resolution: Resolution, reach: Reach) {
     loop {
         let round: Vec<Path> = paths(lines).into_iter().filter(|p| is_round(lines, p, resolution)).collect();
@@ -27,7 +32,7 @@ pub fn judge(lines: &mut LineGraph, resolution: Resolution, reach: Reach) {
             remove_path(lines, path);
         }
     }
-    drop_short_pieces(lines, resolution, 0.5 * reach.rho);
+    drop_pieces(lines, 0.5 * reach.rho * resolution.unit());
 }
 
 /// Whether the strip shows too little of the evidence that a fold of its angle would.
@@ -50,23 +55,28 @@ fn remove_path(lines: &mut LineGraph, path: &Path) {
     }
 }
 
-/// Removes connected pieces whose edges add up to less than `least` spacings.
-fn drop_short_pieces(lines: &mut LineGraph, resolution: Resolution, least: f64) {
-    let mut sets = UnionFind::new(lines.edges.len());
+/// Removes connected pieces whose edges add up to less than `least`, and those that show too little evidence.
+fn drop_pieces(lines: &mut LineGraph, least: f64) {
+    let count = lines.edges.len();
+    let mut sets = UnionFind::new(count);
     for (a, list) in lines.edges.iter().enumerate() {
         for &b in list {
             sets.union(a as u32, b);
         }
     }
-    let mut lengths = vec![0.0; lines.edges.len()];
-    for a in 0..lines.edges.len() as u32 {
-        for &b in lines.edges[a as usize].iter().filter(|&&b| b > a) {
-            lengths[sets.find(a) as usize] += length(lines, &[a, b]);
-        }
+    // Length, evidence, and what sharp folds would show: none of it where no cross-section was taken, as at borders.
+    let mut sums = vec![[0.0; 3]; count];
+    for a in 0..count {
+        let sum = &mut sums[sets.find(a as u32) as usize];
+        let after = lines.edges[a].iter().filter(|&&b| b as usize > a);
+        sum[0] += after.map(|&b| length(lines, &[a as u32, b])).sum::<f64>();
+        sum[1] += f64::from(lines.evidence[a]);
+        sum[2] += f64::from(lines.expected[a]);
     }
-    for v in 0..lines.edges.len() as u32 {
-        if lengths[sets.find(v) as usize] < least * resolution.unit() {
-            lines.edges[v as usize].clear();
+    for v in 0..count {
+        let [length, evidence, expected] = sums[sets.find(v as u32) as usize];
+        if length < least || (expected > 0.0 && evidence < LEAST_EVIDENCE) {
+            lines.edges[v].clear();
         }
     }
 }
