@@ -23,7 +23,7 @@ pub struct LineGraph {
     pub penalty: Vec<f32>,
     /// `(V)` how little a direction is preferred at the vertex: 0 at a corner, 1 on a line.
     pub corner: Vec<f32>,
-    /// `(V)` evidence that the line is sharp, in variances of the noise; see
+    /// `(V)` evidence that the line is sharp, in variances of the noise, of all points that the vertex stands for; see
     /// [`Penalties`](crate::measure::Penalties).
     pub evidence: Vec<f32>,
     /// `(V)` the evidence that a sharp fold of the measured angle would give.

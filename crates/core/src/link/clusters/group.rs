@@ -85,15 +85,17 @@ fn push(
     members: &[u32],
 ) {
     let share = 1.0 / members.len() as f64;
-    let mean = |values: &[f32]| members.iter().map(|&c| f64::from(values[c as usize])).sum::<f64>() * share;
+    let sum = |values: &[f32]| members.iter().map(|&c| f64::from(values[c as usize])).sum::<f64>();
+    let mean = |values: &[f32]| sum(values) * share;
     let LineGraph { points, positions, penalty, corner, evidence, expected, fold, edges, .. } =
         &mut clusters.lines;
     points.push(penalties.points[members[0] as usize]);
     positions.push(penalties.foot[members[0] as usize]);
     penalty.push(mean(&penalties.scalar) as f32);
     corner.push(members.iter().map(|&c| penalties.corner[c as usize]).fold(1.0, f32::min));
-    evidence.push(mean(&penalties.evidence) as f32);
-    expected.push(mean(&penalties.expected) as f32);
+    // What each member shows adds up.
+    evidence.push(sum(&penalties.evidence) as f32);
+    expected.push(sum(&penalties.expected) as f32);
     fold.push(mean(&penalties.fold) as f32);
     edges.push(Vec::new());
     let mut large: Vec<u32> = members
