@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use super::super::result::Sections;
 use super::super::surface::{self, Surface};
+use super::super::tile::Tiles;
 use super::profile::Profile;
 use super::runs::Found;
 use crate::frame::Localised;
@@ -47,7 +48,8 @@ pub(super) fn refine(local: &Localised, index: &Index, sections: &Sections, runs
     let flat: Vec<&Search> = searches.iter().flatten().collect();
     let spots = spots(local, sections, &flat);
     let near: Vec<Vec<(Spot, f64)>> = flat.par_iter().map(|s| beside(&spots, s, sections.spacing)).collect();
-    let faces = Faces::new(local, index, sections, &near);
+    let tiles = Tiles::new(index, sections.noise, sections.frame.axes[2]);
+    let faces = Faces::new(local, index, &tiles, sections, &near);
     let ends: Vec<Option<(f64, f64)>> = flat
         .par_iter()
         .zip(&near)
@@ -128,15 +130,22 @@ fn beside(spots: &[Spot], search: &Search, h: f64) -> Vec<(Spot, f64)> {
 /// Which points lie on faces across the axis.
 struct Faces<'a> {
     sections: &'a Sections,
-    surface: Surface,
+    surface: Surface<'a>,
 }
 
 impl<'a> Faces<'a> {
-    fn new(local: &Localised, index: &Index, sections: &'a Sections, near: &[Vec<(Spot, f64)>]) -> Self {
-        let mut wanted: Vec<u32> = near.iter().flatten().map(|(s, _)| s.index).collect();
+    fn new(
+        local: &Localised,
+        index: &Index,
+        tiles: &'a Tiles,
+        sections: &'a Sections,
+        near: &[Vec<(Spot, f64)>],
+    ) -> Self {
+        let mut wanted: Vec<u32> =
+            near.iter().flatten().map(|(s, _)| tiles.place(s.index).0 as u32).collect();
         wanted.sort_unstable();
         wanted.dedup();
-        let surface = surface::fit(&local.positions, index, &wanted, sections.noise);
+        let surface = surface::fit(&local.positions, index, tiles, &wanted, sections.noise);
         Self { sections, surface }
     }
 
