@@ -116,15 +116,21 @@ fn sections_of_prisms_are_closed_nested_and_of_the_right_area() {
 fn turning_and_scaling_a_cloud_turns_and_scales_its_sections() {
     let random = &mut Rng::new(12);
     for round in 0..6 {
-        let turned = Prism::random(random, 1.0 + 4.0 * random.uniform());
+        let scale = 1.0 + 4.0 * random.uniform();
+        let turned = Prism::random(random, scale);
         let plain = Prism { waves: turned.waves.clone(), axes: frame([0.0, 0.0, 1.0]), scale: 1.0 };
         let (mut one, mut other) = (Rng::new(round), Rng::new(round));
         let before = plain.cut(&plain.scan(0.1, &mut one), Outline::Middle, Side::Middle);
         let after = turned.cut(&turned.scan(0.1, &mut other), Outline::Middle, Side::Middle);
         for ((_, a), (_, b)) in before.contours().zip(after.contours()) {
+            // Areas to a tenth of a spacing all round.
             let (length, area) = (b.length / turned.scale, b.area / turned.scale.powi(2));
-            assert!((length - a.length).abs() < 0.01 * a.length, "{round}: {length} for {}", a.length);
-            assert!((area - a.area).abs() < 0.003 * a.area.abs(), "{round}: {area} for {}", a.area);
+            assert!((length - a.length).abs() < 0.02 * a.length, "{round}: {length} for {}", a.length);
+            assert!(
+                (area - a.area).abs() < 0.1 * before.spacing * a.length,
+                "{round}: {area} for {}",
+                a.area
+            );
             let centre = turned
                 .place([0, 1, 2].map(|k| (0..3).map(|a_| a.centroid[a_] * plain.axes[k][a_]).sum::<f64>()));
             let apart = (0..3).map(|k| (centre[k] - b.centroid[k]).powi(2)).sum::<f64>().sqrt();
