@@ -2,7 +2,8 @@
 //!
 //! A point at height d over the plane, on a surface whose normal n makes sin(theta) = |n_xy| with the slicing
 //! direction, lies d / sin(theta) away from the curve along the surface. It is moved down the steepest direction of
-//! its tangent plane, so that a slanted wall gives a thin band and not one as wide as the slab is thick.
+//! its tangent plane, so that a slanted wall gives a thin band and not one as wide as the slab is thick. The points of a
+//! flat tile share one plane, and come out on one line: those beside each other there are taken together.
 
 use super::surface::Patch;
 use super::vec2::{along, dot, sub};

@@ -1,4 +1,5 @@
-//! From the samples of one slab to the outlines of its contours.
+//! From the samples of one slab to the outlines of its contours. A slab in which all contours are closed at once is drawn
+//! once; where ends are left, smooth ends are joined, and the slab is drawn again.
 
 use super::band::{self, Band, Growth};
 use super::carry::Sample;
