@@ -13,6 +13,7 @@ use rayon::prelude::*;
 
 use engine::Engine;
 pub use index::Index;
+pub(crate) use index::{Leaf, WIDTH};
 
 /// One list of point indices for each point, in compressed rows.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -96,6 +97,32 @@ pub fn nearest_blocks<R: Send>(
     }
     nearest_blocks_in(&Index::build(positions), positions, k, visit)
 }
+
+/// The lists of the points of some leaves of an index, as [`nearest_blocks`] gives those of blocks: `visit(first, lists)`
+/// gets where in `leaves` a batch of them begins, and for each of its leaves [`WIDTH`] lists of `min(k, N - 1)` neighbours,
+/// those of empty places filled with anything.
+pub(crate) fn nearest_leaves<R: Send>(
+    index: &Index,
+    positions: &[[f64; 3]],
+    k: usize,
+    leaves: &[u32],
+    visit: impl Fn(usize, &[u32]) -> R + Sync,
+) -> Vec<R> {
+    let k = k.min(positions.len().saturating_sub(1));
+    if k == 0 {
+        return Vec::new();
+    }
+    let engine = Engine::new(index, positions, k, Instructions::Detected);
+    let batch = |lists: &mut Vec<u32>, (b, leaves): (usize, &[u32])| {
+        lists.resize(leaves.len() * WIDTH * k, 0);
+        engine.leaves(leaves, lists);
+        visit(b * BATCH, lists)
+    };
+    leaves.par_chunks(BATCH).enumerate().map_init(Vec::new, batch).collect()
+}
+
+/// Leaves that are searched one after the other.
+const BATCH: usize = 16;
 
 /// [`nearest_blocks`] with an index of the same positions that is there already.
 pub(crate) fn nearest_blocks_in<R: Send>(

@@ -25,6 +25,7 @@ mod plane;
 mod polyline;
 mod primitive;
 mod result;
+mod ruler;
 mod slice;
 mod slicer;
 mod smooth;
@@ -34,6 +35,7 @@ mod stack;
 mod stray;
 mod surface;
 mod tidy;
+mod tile;
 mod tree;
 mod vec2;
 mod voronoi;
@@ -84,14 +86,13 @@ fn sections(
     params: &SectionParams,
     observe: &(dyn Fn(f64) + Sync),
 ) -> Result<Sections, Error> {
-    let texture = surface::texture(&local.positions, index);
-    let slicer = Slicer::new(local, params, texture, observe);
+    let slicer = Slicer::new(local, index, params, observe);
     let mut cuts = slicer.cuts()?;
     if let Planes::Adaptive { start, most } = params.planes {
-        cuts = slicer.adapted(local, index, start, most);
+        cuts = slicer.adapted(start, most);
     }
     let heights: Vec<f64> = cuts.iter().map(|cut| cut.0).collect();
-    let mut found = slicer.cut(local, index, &heights);
+    let mut found = slicer.cut(&heights);
     found.iter_mut().zip(&cuts).for_each(|(section, cut)| section.slab = cut.1);
-    Ok(slicer.finish(found, local, heights))
+    Ok(slicer.finish(found, heights))
 }

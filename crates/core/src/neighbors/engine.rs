@@ -62,52 +62,87 @@ impl<'a> Engine<'a> {
         Engine { index, positions, k, loops: Loops::choose(instructions) }
     }
 
-    /// The lists of the points of block `b`, `k` entries each.
+    /// The lists of the points of block `b`, `k` entries each, in the order of the points.
     pub(super) fn block(&self, b: usize, lists: &mut [u32]) {
+        let leaves = b * BLOCK / WIDTH..(b * BLOCK + lists.len() / self.k).div_ceil(WIDTH);
+        self.search(leaves, lists, |_, _, id| id as usize - b * BLOCK);
+    }
+
+    /// The lists of the points of some leaves, `k` entries each, leaf by leaf and place by place; those of empty places
+    /// are left as they are.
+    pub(super) fn leaves(&self, leaves: &[u32], lists: &mut [u32]) {
+        self.search(leaves.iter().map(|&l| l as usize), lists, |slot, place, _| slot * WIDTH + place);
+    }
+
+    /// Searches leaf by leaf; `row` tells from the number of the leaf in the search, the place in it and the point where
+    /// a list goes.
+    fn search(
+        &self,
+        leaves: impl Iterator<Item = usize>,
+        lists: &mut [u32],
+        row: impl Fn(usize, usize, u32) -> usize,
+    ) {
         match self.loops {
             #[cfg(target_arch = "x86_64")]
-            Loops::Avx512(kernel) => self.block_by(kernel, b, lists),
+            Loops::Avx512(kernel) => self.search_by(kernel, leaves, lists, row),
             #[cfg(target_arch = "x86_64")]
-            Loops::Avx2(kernel) => self.block_by(kernel, b, lists),
-            Loops::Portable => self.block_by(Portable, b, lists),
+            Loops::Avx2(kernel) => self.search_by(kernel, leaves, lists, row),
+            Loops::Portable => self.search_by(Portable, leaves, lists, row),
         }
     }
 
     /// Lists are held with one place or more beyond `k`.
-    fn block_by<K: Kernel>(&self, kernel: K, b: usize, lists: &mut [u32]) {
+    fn search_by<K: Kernel>(
+        &self,
+        kernel: K,
+        leaves: impl Iterator<Item = usize>,
+        lists: &mut [u32],
+        row: impl Fn(usize, usize, u32) -> usize,
+    ) {
         match self.k {
-            0..8 => self.block_held::<K, 8>(kernel, b, lists),
-            8..16 => self.block_held::<K, 16>(kernel, b, lists),
-            16..24 => self.block_held::<K, 24>(kernel, b, lists),
-            24..32 => self.block_held::<K, 32>(kernel, b, lists),
-            _ => self.block_alone(b, lists),
+            0..8 => self.search_held::<K, 8>(kernel, leaves, lists, row),
+            8..16 => self.search_held::<K, 16>(kernel, leaves, lists, row),
+            16..24 => self.search_held::<K, 24>(kernel, leaves, lists, row),
+            24..32 => self.search_held::<K, 32>(kernel, leaves, lists, row),
+            _ => self.search_alone(leaves, lists, row),
         }
     }
 
-    fn block_held<K: Kernel, const N: usize>(&self, kernel: K, b: usize, lists: &mut [u32]) {
-        let first = b * BLOCK;
-        let points = lists.len() / self.k;
+    fn search_held<K: Kernel, const N: usize>(
+        &self,
+        kernel: K,
+        leaves: impl Iterator<Item = usize>,
+        lists: &mut [u32],
+        row: impl Fn(usize, usize, u32) -> usize,
+    ) {
         let mut held = Lists::new(self.k);
         let mut guess = f64::MAX;
-        for leaf in first / WIDTH..(first + points).div_ceil(WIDTH) {
+        for (slot, leaf) in leaves.enumerate() {
             let mut search = Search::<K, N>::new(self, kernel, leaf, &mut held, guess);
             search.run(leaf);
             if search.lists.retry() {
                 search.run(leaf);
             }
             guess = f64::MAX.min(GUESS * search.lists.reach());
-            for (q, &id) in search.queries.id.iter().enumerate().take_while(|(_, id)| **id != u32::MAX) {
-                let row = (id as usize - first) * self.k;
-                search.settle(q, &mut lists[row..row + self.k]);
+            for (q, id) in search.queries.ids().enumerate() {
+                let start = row(slot, q, id) * self.k;
+                search.settle(q, &mut lists[start..start + self.k]);
             }
         }
     }
 
     /// Point by point: for more neighbours than the inner loops hold.
-    fn block_alone(&self, b: usize, lists: &mut [u32]) {
-        let first = b * BLOCK;
-        for (i, list) in lists.chunks_exact_mut(self.k).enumerate() {
-            self.alone((first + i) as u32, list);
+    fn search_alone(
+        &self,
+        leaves: impl Iterator<Item = usize>,
+        lists: &mut [u32],
+        row: impl Fn(usize, usize, u32) -> usize,
+    ) {
+        for (slot, leaf) in leaves.enumerate() {
+            for (q, id) in self.index.leaves[leaf].ids().enumerate() {
+                let start = row(slot, q, id) * self.k;
+                self.alone(id, &mut lists[start..start + self.k]);
+            }
         }
     }
 

@@ -9,13 +9,13 @@ use rayon::prelude::*;
 use super::{BLOCK, Found};
 
 /// Points in a leaf and children of a node.
-pub(super) const WIDTH: usize = 16;
+pub(crate) const WIDTH: usize = 16;
 
 /// A search structure over a set of points, for queries at any place.
 #[derive(Clone, Debug, Default)]
 pub struct Index {
     pub(super) count: usize,
-    pub(super) leaves: Vec<Leaf>,
+    pub(crate) leaves: Vec<Leaf>,
     /// `[0]` are the nodes over the leaves, the last level is one node: child `c` of node `n` is the entry
     /// `16 n + c` of the level below.
     pub(super) levels: Vec<Vec<Node>>,
@@ -24,8 +24,8 @@ pub struct Index {
 /// Sixteen points, coordinate by coordinate. Places that no point fills are infinitely far.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
-pub(super) struct Leaf {
-    pub(super) at: [[f64; WIDTH]; 3],
+pub(crate) struct Leaf {
+    pub(crate) at: [[f64; WIDTH]; 3],
     pub(super) id: [u32; WIDTH],
 }
 
@@ -188,6 +188,16 @@ impl Leaf {
             (0..3).for_each(|a| self.at[a][lane] = site.at[a]);
             self.id[lane] = site.id;
         }
+    }
+
+    /// The indices of its points, place by place.
+    pub(crate) fn ids(&self) -> impl Iterator<Item = u32> + Clone {
+        self.id.iter().copied().take_while(|&id| id != u32::MAX)
+    }
+
+    /// Its points with their indices, place by place.
+    pub(crate) fn points(&self) -> impl Iterator<Item = (u32, [f64; 3])> + Clone {
+        self.ids().enumerate().map(|(lane, id)| (id, self.point(lane)))
     }
 
     /// The point in place `lane`.

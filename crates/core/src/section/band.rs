@@ -2,6 +2,7 @@
 
 use super::carry::Sample;
 use super::chain::Chain;
+use super::ruler::Ruler;
 use super::tree::Tree;
 use super::vec2::{along, cross, distance, dot, onto, sub, unit};
 
@@ -13,7 +14,7 @@ pub(crate) struct Mark {
     /// See [`Sample`].
     pub raw: [f64; 2],
     /// See [`Sample`].
-    pub lift: f64,
+    pub weight: f64,
     /// See [`Sample`].
     pub blur: f64,
     /// See [`Sample`].
@@ -47,6 +48,8 @@ pub(crate) struct Band {
     pub length: f64,
     /// Ascending by arc, ties by source.
     pub marks: Vec<Mark>,
+    vertex_ruler: Ruler,
+    mark_ruler: Ruler,
 }
 
 /// Gives every sample to the nearest contour that runs its way; samples near none are left out. `tree` holds the
@@ -102,17 +105,18 @@ impl Place {
 }
 
 fn deal(samples: &[Sample], best: &[Place], bands: &mut [Band]) {
-    let mut order: Vec<u32> =
-        (0..samples.len() as u32).filter(|&i| best[i as usize].off.is_finite()).collect();
-    order.sort_unstable_by(|&i, &j| {
-        let (p, q) = (&best[i as usize], &best[j as usize]);
-        p.band.cmp(&q.band).then(p.arc.total_cmp(&q.arc)).then(i.cmp(&j))
-    });
-    for i in order {
+    // Arcs are not negative: their bits order as they do.
+    let placed = best.iter().zip(0u32..).filter(|(place, _)| place.off.is_finite());
+    let mut order: Vec<(u32, u64, u32)> = placed.map(|(p, i)| (p.band, p.arc.to_bits(), i)).collect();
+    order.sort_unstable();
+    for (_, _, i) in order {
         let (place, s) = (&best[i as usize], &samples[i as usize]);
         let Place { arc, growth, .. } = *place;
-        let mark = Mark { arc, raw: s.raw, lift: s.lift, blur: s.blur, spacing: s.spacing, growth };
+        let mark = Mark { arc, raw: s.raw, weight: s.weight, blur: s.blur, spacing: s.spacing, growth };
         bands[place.band as usize].marks.push(mark);
+    }
+    for band in bands {
+        band.mark_ruler = Ruler::new(band.marks.iter().map(|m| m.arc), band.length);
     }
 }
 
@@ -126,7 +130,8 @@ fn empty(chain: Chain) -> Band {
         arcs.push(arc);
     }
     let length = chain.length();
-    Band { chain, arcs, length, marks: Vec::new() }
+    let vertex_ruler = Ruler::new(arcs.iter().copied(), length);
+    Band { chain, arcs, length, marks: Vec::new(), vertex_ruler, mark_ruler: Ruler::default() }
 }
 
 /// The number of segments of a band's polyline.
@@ -150,12 +155,17 @@ impl Band {
         Growth { middle, most: quantile(&mut all, 0.9) }
     }
 
+    /// The last vertex that does not lie after an arc.
+    pub(crate) fn vertex(&self, arc: f64) -> usize {
+        self.vertex_ruler.first(arc, |v| self.arcs[v] <= arc).saturating_sub(1)
+    }
+
     /// The point of the polyline at an arc; arcs of a closed band may run over its seam.
     pub(crate) fn at(&self, arc: f64) -> [f64; 2] {
         let inside = (0.0..self.length).contains(&arc) || !self.chain.closed || self.length <= 0.0;
         let arc = if inside { arc } else { arc.rem_euclid(self.length) };
         let last = segments(self).saturating_sub(1);
-        let v = self.arcs.partition_point(|&a| a <= arc).saturating_sub(1).min(last);
+        let v = self.vertex(arc).min(last);
         let (from, to) = segment(self, v);
         let length = distance(from, to);
         let share = if length > 0.0 { ((arc - self.arcs[v]) / length).clamp(0.0, 1.0) } else { 0.0 };
@@ -170,7 +180,8 @@ impl Band {
             if shift > to || shift + self.length < from {
                 continue;
             }
-            let start = self.marks.partition_point(|m| m.arc + shift < from);
+            let first = from - shift;
+            let start = self.mark_ruler.first(first, |m| self.marks[m].arc < first);
             for mark in self.marks[start..].iter().take_while(|m| m.arc + shift <= to) {
                 visit(mark.arc + shift, mark);
             }

@@ -2,11 +2,13 @@
 //!
 //! A point at height d over the plane, on a surface whose normal n makes sin(theta) = |n_xy| with the slicing
 //! direction, lies d / sin(theta) away from the curve along the surface. It is moved down the steepest direction of
-//! its tangent plane, so that a slanted wall gives a thin band and not one as wide as the slab is thick.
+//! its tangent plane, so that a slanted wall gives a thin band and not one as wide as the slab is thick. The points of a
+//! flat tile share one plane, and come out on one line: those beside each other there are taken together.
 
 use super::surface::Patch;
+use super::vec2::{along, dot, sub};
 
-/// Where the surface crosses the slicing plane, as one point of the slab tells it.
+/// Where the surface crosses the slicing plane, as one point of the slab or a few beside each other tell it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sample {
     /// Carried from the point itself.
@@ -19,11 +21,17 @@ pub(crate) struct Sample {
     pub drift: [f64; 2],
     /// Signed distance along the surface, in local spacings; positive over the plane.
     pub lift: f64,
+    /// Least and greatest of the lifts of its points.
+    pub lifts: (f64, f64),
+    /// How much it counts: the less, the farther its points were carried.
+    pub weight: f64,
     /// Local spacing.
     pub spacing: f64,
     /// How far the foot may lie beside the curve, in local spacings: the noise of the tangent plane, stretched by
     /// the slant of the surface.
     pub blur: f64,
+    /// Number of points.
+    pub count: u32,
     /// Whether the tangent plane fits worse than noise explains (beside a crease, on a strong bend), or the surface
     /// is so slanted that noise hides where it crosses.
     pub weak: bool,
@@ -46,35 +54,144 @@ const LEAST_SINE: f64 = 0.1;
 /// Blur in local spacings from which on a crossing is uncertain.
 const WEAK_BLUR: f64 = 0.5;
 
-/// The sample of a point `p` (third coordinate: height over the plane), or `None` where the surface runs along the
-/// plane or crosses it too far off.
-pub(crate) fn carry(p: [f64; 3], patch: &Patch, reach: Reach) -> Option<Sample> {
-    let n = patch.normal;
-    let sine2 = n[0] * n[0] + n[1] * n[1];
-    let sine = sine2.sqrt();
-    if sine < LEAST_SINE || patch.spacing <= 0.0 {
-        return None;
+/// Carries points to the slicing plane along one tangent plane.
+pub(crate) struct Carrier {
+    patch: Patch,
+    reach: Reach,
+    sine: f64,
+    /// What a height moves a point by.
+    down: [f64; 2],
+    tangent: [f64; 2],
+    blur: f64,
+}
+
+impl Carrier {
+    /// For points on a tangent plane in the slice frame, heights counted from the slicing plane; `None` where the
+    /// surface runs along that plane.
+    pub(crate) fn new(patch: Patch, reach: Reach) -> Option<Self> {
+        let n = patch.normal;
+        let sine2 = n[0] * n[0] + n[1] * n[1];
+        let sine = sine2.sqrt();
+        if sine < LEAST_SINE || patch.spacing <= 0.0 {
+            return None;
+        }
+        let down = n[2] / sine2;
+        Some(Self {
+            patch,
+            reach,
+            sine,
+            down: [down * n[0], down * n[1]],
+            tangent: [-n[1] / sine, n[0] / sine],
+            blur: (0.3 * reach.noise + 0.02) / sine,
+        })
     }
-    let lift = p[2] / (sine * patch.spacing);
-    if lift.abs() > reach.half {
-        return None;
+
+    fn shifted(&self, p: [f64; 3]) -> [f64; 2] {
+        if self.reach.carry { [p[0] + p[2] * self.down[0], p[1] + p[2] * self.down[1]] } else { [p[0], p[1]] }
     }
-    let c = patch.centre;
-    let off = (p[0] - c[0]) * n[0] + (p[1] - c[1]) * n[1] + (p[2] - c[2]) * n[2];
-    let down = |x: f64, y: f64, height: f64| {
-        let shift = if reach.carry { height * n[2] / sine2 } else { 0.0 };
-        [x + shift * n[0], y + shift * n[1]]
+
+    /// The sample of a point (third coordinate: height over the plane), or `None` where it lies too far off.
+    pub(crate) fn sample(&self, p: [f64; 3]) -> Option<Sample> {
+        let Patch { centre: c, normal: n, spacing, .. } = self.patch;
+        let lift = p[2] / (self.sine * spacing);
+        if lift.abs() > self.reach.half {
+            return None;
+        }
+        let off = (p[0] - c[0]) * n[0] + (p[1] - c[1]) * n[1] + (p[2] - c[2]) * n[2];
+        Some(Sample {
+            raw: self.shifted(p),
+            foot: self.shifted([p[0] - off * n[0], p[1] - off * n[1], p[2] - off * n[2]]),
+            tangent: self.tangent,
+            drift: self.down.map(|x| -x),
+            lift,
+            lifts: (lift, lift),
+            weight: weight(lift),
+            spacing,
+            blur: self.blur,
+            count: 1,
+            weak: self.weak(),
+        })
+    }
+
+    /// The samples of points of one tile, those beside each other along the curve taken together.
+    pub(crate) fn merged(&self, points: &[[f64; 3]], samples: &mut Vec<Sample>) {
+        let Patch { centre, spacing, .. } = self.patch;
+        let origin = self.shifted(centre);
+        let mut bins = [Bin::EMPTY; BINS];
+        let (per_lift, per_bin) = (1.0 / (self.sine * spacing), 1.0 / (MERGED * spacing));
+        for &p in points {
+            let lift = p[2] * per_lift;
+            if lift.abs() > self.reach.half {
+                continue;
+            }
+            let raw = sub(self.shifted(p), origin);
+            let u = dot(raw, self.tangent);
+            let k = (u * per_bin + 0.5 * BINS as f64).clamp(0.0, BINS as f64 - 0.5) as usize;
+            bins[k].add(raw, u, lift);
+        }
+        for bin in bins.iter().filter(|b| b.count > 0) {
+            let share = 1.0 / bin.weight;
+            let lift = share * bin.lift;
+            samples.push(Sample {
+                raw: along(origin, bin.raw, share),
+                foot: along(origin, self.tangent, share * bin.u),
+                tangent: self.tangent,
+                drift: self.down.map(|x| -x),
+                lift,
+                lifts: bin.lifts,
+                weight: bin.weight,
+                spacing,
+                blur: self.blur,
+                count: bin.count,
+                weak: self.weak(),
+            });
+        }
+    }
+
+    fn weak(&self) -> bool {
+        let Patch { residual, spacing, .. } = self.patch;
+        self.blur > WEAK_BLUR || residual > (2.0 * self.reach.noise + 0.15) * spacing
+    }
+}
+
+/// Length along the curve, in spacings, over which the points of a tile are taken together.
+const MERGED: f64 = 0.8;
+/// Places for them: tiles are about four spacings long.
+const BINS: usize = 8;
+
+/// Sums over the points of a tile that lie beside each other along the curve.
+#[derive(Clone, Copy)]
+struct Bin {
+    weight: f64,
+    raw: [f64; 2],
+    u: f64,
+    lift: f64,
+    lifts: (f64, f64),
+    count: u32,
+}
+
+impl Bin {
+    const EMPTY: Bin = Bin {
+        weight: 0.0,
+        raw: [0.0; 2],
+        u: 0.0,
+        lift: 0.0,
+        lifts: (f64::INFINITY, f64::NEG_INFINITY),
+        count: 0,
     };
-    let drift = [-n[0] * n[2] / sine2, -n[1] * n[2] / sine2];
-    let blur = (0.3 * reach.noise + 0.02) / sine;
-    Some(Sample {
-        raw: down(p[0], p[1], p[2]),
-        foot: down(p[0] - off * n[0], p[1] - off * n[1], p[2] - off * n[2]),
-        tangent: [-n[1] / sine, n[0] / sine],
-        drift,
-        lift,
-        spacing: patch.spacing,
-        blur,
-        weak: blur > WEAK_BLUR || patch.residual > (2.0 * reach.noise + 0.15) * patch.spacing,
-    })
+
+    fn add(&mut self, raw: [f64; 2], u: f64, lift: f64) {
+        let weight = weight(lift);
+        self.weight += weight;
+        self.raw = along(self.raw, raw, weight);
+        self.u += weight * u;
+        self.lift += weight * lift;
+        self.lifts = (self.lifts.0.min(lift), self.lifts.1.max(lift));
+        self.count += 1;
+    }
+}
+
+/// Points count the less, the farther they were carried.
+fn weight(lift: f64) -> f64 {
+    1.0 / (1.0 + lift * lift)
 }

@@ -12,8 +12,9 @@ use super::vec2::{along, distance, dot, meet, sub, unit};
 
 /// Least turn at a corner in degrees, without noise and what noise adds.
 const LEAST_TURN: (f64, f64) = (25.0, 60.0);
-/// A chain that turns less than this, degrees, over the steps of two spacings to either side holds no corner.
-const STRAIGHT: f64 = 10.0;
+/// A chain that turns by less than ten degrees over the steps of two spacings to either side holds no corner; the
+/// squared cosine.
+const STRAIGHT: f64 = 0.969_846_310_392_954_2;
 /// Least distance of corners, in spacings.
 const APART: f64 = 1.5;
 
@@ -99,10 +100,15 @@ fn sides(band: &Band, arc: f64, noise: f64, (low, high): (f64, f64)) -> Option<(
 fn turn_at(band: &Band, arc: f64, noise: f64, room: (f64, f64)) -> f64 {
     let step = 2.0 * spacing_at(band, arc.rem_euclid(band.length.max(f64::MIN_POSITIVE)));
     let (before, at, after) = (band.at(arc - step), band.at(arc), band.at(arc + step));
-    if angle(sub(at, before), sub(after, at)) < STRAIGHT {
+    if straight(sub(at, before), sub(after, at)) {
         return 0.0;
     }
     sides(band, arc, noise, room).map_or(0.0, |(a, b, _)| angle(a.slope, b.slope))
+}
+
+fn straight(a: [f64; 2], b: [f64; 2]) -> bool {
+    let along = dot(a, b);
+    along > 0.0 && along * along > STRAIGHT * dot(a, a) * dot(b, b)
 }
 
 fn angle(a: [f64; 2], b: [f64; 2]) -> f64 {

@@ -11,7 +11,9 @@ use super::vec2::{along, cross, distance, dot, meet, sub, unit};
 /// Joins the ends of chains, the nearest first, and leaves out strays: contours, longest first.
 pub(crate) fn joined(mut chains: Vec<Chain>) -> Vec<Chain> {
     for reach in [2.5, 5.0, 9.0] {
-        chains = join(chains, reach);
+        if chains.iter().any(|c| !c.closed) {
+            chains = join(chains, reach);
+        }
     }
     stray::dropped(chains)
 }

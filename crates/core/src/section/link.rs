@@ -13,43 +13,65 @@ const LINK: f64 = 2.4;
 /// Least cosine between a link and the tangents at its ends.
 const STRAIGHT: f64 = 0.72;
 
-/// Chains of linked nodes, each node in one of them.
+/// Chains of linked nodes, each node in one of them. Short links come first, and leave few nodes to look for long ones.
 pub(crate) fn chains(nodes: &[Node]) -> Vec<Chain> {
-    let mut links = candidates(nodes);
-    links.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    let places: Vec<[f64; 2]> = nodes.iter().map(|n| n.at).collect();
+    let tree = Tree::new(&places);
     let mut ports = vec![[u32::MAX; 2]; nodes.len()];
-    for &(_, i, j, pi, pj) in &links {
-        let free = ports[i as usize][pi] == u32::MAX && ports[j as usize][pj] == u32::MAX;
-        if free {
-            ports[i as usize][pi] = j;
-            ports[j as usize][pj] = i;
+    for reach in [0.5 * LINK, LINK] {
+        let mut links = candidates(nodes, &tree, &ports, reach);
+        links.sort_unstable();
+        for Link { a, b, .. } in links {
+            if free(&ports, a) && free(&ports, b) {
+                ports[a.0 as usize][usize::from(a.1)] = b.0;
+                ports[b.0 as usize][usize::from(b.1)] = a.0;
+            }
         }
     }
     walk(nodes, &ports)
 }
 
-type Link = (f64, u32, u32, usize, usize);
+/// A node and one of its two ports: ahead or behind.
+type Port = (u32, bool);
 
-fn candidates(nodes: &[Node]) -> Vec<Link> {
-    let places: Vec<[f64; 2]> = nodes.iter().map(|n| n.at).collect();
-    let tree = Tree::new(&places);
+fn free(ports: &[[u32; 2]], (node, port): Port) -> bool {
+    ports[node as usize][usize::from(port)] == u32::MAX
+}
+
+/// A link that may be, in the order they are tried: by cost, then by index.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Link {
+    /// The bits of the cost, which is not negative.
+    cost: u64,
+    a: Port,
+    b: Port,
+}
+
+fn candidates(nodes: &[Node], tree: &Tree<2>, ports: &[[u32; 2]], reach: f64) -> Vec<Link> {
     let (mut links, mut found) = (Vec::new(), Vec::new());
-    for (i, a) in nodes.iter().enumerate() {
-        tree.within(a.at, LINK * a.spacing, &mut found);
-        for &j in found.iter().filter(|&&j| j as usize > i) {
-            let b = &nodes[j as usize];
-            let step = sub(b.at, a.at);
-            let length = dot(step, step).sqrt();
-            let (ca, cb) = (dot(a.tangent, step) / length, -dot(b.tangent, step) / length);
-            if a.weak != b.weak || length <= 0.0 || ca.abs() < STRAIGHT || cb.abs() < STRAIGHT {
-                continue;
-            }
-            let spacing = 0.5 * (a.spacing + b.spacing);
-            let cost = length / spacing * (1.0 + 3.0 * (2.0 - ca.abs() - cb.abs()));
-            links.push((cost, i as u32, j, usize::from(ca < 0.0), usize::from(cb < 0.0)));
-        }
+    let loose = |i: u32| ports[i as usize].contains(&u32::MAX);
+    for (a, i) in nodes.iter().zip(0u32..).filter(|(_, i)| loose(*i)) {
+        tree.within(a.at, reach * a.spacing, &mut found);
+        links.extend(found.iter().filter(|&&j| j > i && loose(j)).filter_map(|&j| {
+            let (cost, ahead, behind) = link(a, &nodes[j as usize])?;
+            let link = Link { cost: cost.to_bits(), a: (i, ahead), b: (j, behind) };
+            (free(ports, link.a) && free(ports, link.b)).then_some(link)
+        }));
     }
     links
+}
+
+/// The cost of a link, and the ports it takes.
+fn link(a: &Node, b: &Node) -> Option<(f64, bool, bool)> {
+    let step = sub(b.at, a.at);
+    let length = dot(step, step).sqrt();
+    let (ca, cb) = (dot(a.tangent, step) / length, -dot(b.tangent, step) / length);
+    if a.weak != b.weak || length <= 0.0 || ca.abs() < STRAIGHT || cb.abs() < STRAIGHT {
+        return None;
+    }
+    let spacing = 0.5 * (a.spacing + b.spacing);
+    let cost = length / spacing * (1.0 + 3.0 * (2.0 - ca.abs() - cb.abs()));
+    Some((cost, ca < 0.0, cb < 0.0))
 }
 
 fn walk(nodes: &[Node], ports: &[[u32; 2]]) -> Vec<Chain> {

@@ -26,14 +26,12 @@ const ALIKE: f64 = 0.8;
 /// Nodes about 0.7 spacings apart: a short line fitted to the samples around each, where the surface passes through
 /// (there are samples from both sides of the plane). `tree` holds the feet of the samples.
 pub(crate) fn nodes(samples: &[Sample], tree: &Tree<2>) -> Vec<Node> {
-    let mut order: Vec<u32> = (0..samples.len() as u32).collect();
-    order.sort_unstable_by(|&a, &b| {
-        let (s, t) = (&samples[a as usize], &samples[b as usize]);
-        s.weak.cmp(&t.weak).then(s.lift.abs().total_cmp(&t.lift.abs())).then(a.cmp(&b))
-    });
+    let rank = |(s, i): (&Sample, u32)| (s.weak, s.lift.abs().to_bits(), i);
+    let mut order: Vec<(bool, u64, u32)> = samples.iter().zip(0..).map(rank).collect();
+    order.sort_unstable();
     let (mut nodes, mut found): (Vec<Node>, Vec<u32>) = (Vec::new(), Vec::new());
     let mut state = vec![OPEN; samples.len()];
-    for i in order {
+    for (_, _, i) in order {
         let s = &samples[i as usize];
         if state[i as usize] == COVERED {
             continue;
@@ -78,7 +76,7 @@ impl Node {
 /// The line through the samples found around one that show the same piece of curve.
 fn agree(samples: &[Sample], s: &Sample, found: &[u32]) -> Option<Node> {
     let tolerance = (0.5f64.max(2.0 * s.blur)).min(1.2) * s.spacing;
-    let (mut above, mut below, mut count) = (f64::NEG_INFINITY, f64::INFINITY, 0usize);
+    let (mut above, mut below, mut count) = (f64::NEG_INFINITY, f64::INFINITY, 0);
     let (mut weight, mut sum_u, mut sum_v) = (0.0, 0.0, 0.0);
     let (mut sum_uu, mut sum_uv) = (0.0, 0.0);
     for &j in found {
@@ -88,11 +86,11 @@ fn agree(samples: &[Sample], s: &Sample, found: &[u32]) -> Option<Node> {
             continue;
         }
         if u.abs() <= 1.2 * s.spacing {
-            above = above.max(o.lift);
-            below = below.min(o.lift);
+            above = above.max(o.lifts.1);
+            below = below.min(o.lifts.0);
         }
-        count += 1;
-        let w = 1.0 / (1.0 + o.lift * o.lift);
+        count += o.count;
+        let w = o.weight;
         weight += w;
         sum_u += w * u;
         sum_v += w * v;

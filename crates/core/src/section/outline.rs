@@ -1,4 +1,5 @@
-//! From the samples of one slab to the outlines of its contours.
+//! From the samples of one slab to the outlines of its contours. A slab in which all contours are closed at once is drawn
+//! once; where ends are left, smooth ends are joined, and the slab is drawn again.
 
 use super::band::{self, Band, Growth};
 use super::carry::Sample;
@@ -24,11 +25,14 @@ pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Tex
     let nodes = node::nodes(samples, &tree);
     let chains: Vec<Chain> = join::joined(link::chains(&nodes)).into_iter().map(tidy::tidy).collect();
     let middle = |b: &Band| tidy::tidy(smooth::middle(b, texture.noise));
-    let rough: Vec<Chain> =
-        band::assign(samples, &tree, chains).iter().map(middle).filter(drawable).collect();
-    // Smooth ends look the right way, and may now meet; then samples go to smooth contours, not to chains of nodes.
-    let bands = band::assign(samples, &tree, join::joined(rough));
-    let smooth: Vec<Chain> = bands.iter().map(middle).collect();
+    let mut bands = band::assign(samples, &tree, chains);
+    let mut smooth: Vec<Chain> = bands.iter().map(middle).collect();
+    if !smooth.iter().all(|c| c.closed) {
+        // Smooth ends look the right way, and may now meet; then samples go to smooth contours, not to chains of nodes.
+        let joined = join::joined(smooth.into_iter().filter(drawable).collect());
+        bands = band::assign(samples, &tree, joined);
+        smooth = bands.iter().map(middle).collect();
+    }
     if params.outline == Outline::Middle && params.side == Side::Middle {
         return drawn(&bands, smooth);
     }

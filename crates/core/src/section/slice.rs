@@ -99,31 +99,31 @@ fn extent(points: &[[f64; 3]], frame: &SliceFrame) -> f64 {
     (high - low).max(f64::MIN_POSITIVE)
 }
 
-/// The points within `half` of each plane, ascending: lists one after the other, and where each begins.
+/// What lies within `half` of each plane, ascending: lists one after the other, and where each begins.
 pub(crate) struct Slabs {
     starts: Vec<usize>,
     indices: Vec<u32>,
 }
 
 impl Slabs {
-    /// Sorts points (third coordinate: height) into the slabs around ascending `heights`; slabs may overlap.
-    pub(crate) fn of(points: &[[f64; 3]], heights: &[f64], half: f64) -> Self {
-        let range = |p: &[f64; 3]| {
-            let first = heights.partition_point(|&z| z < p[2] - half);
-            (first, heights[first..].iter().take_while(|&&z| z <= p[2] + half).count())
+    /// Sorts what spans some heights into the slabs around ascending `planes`; slabs may overlap.
+    pub(crate) fn of(spans: impl Iterator<Item = (f64, f64)> + Clone, planes: &[f64], half: f64) -> Self {
+        let range = |(low, high): (f64, f64)| {
+            let first = planes.partition_point(|&z| z < low - half);
+            (first, planes[first..].iter().take_while(|&&z| z <= high + half).count())
         };
-        let mut starts = vec![0usize; heights.len() + 1];
-        for p in points {
-            let (first, count) = range(p);
+        let mut starts = vec![0usize; planes.len() + 1];
+        for span in spans.clone() {
+            let (first, count) = range(span);
             starts[first + 1..first + 1 + count].iter_mut().for_each(|s| *s += 1);
         }
-        for k in 0..heights.len() {
+        for k in 0..planes.len() {
             starts[k + 1] += starts[k];
         }
         let mut next = starts.clone();
-        let mut indices = vec![0u32; starts[heights.len()]];
-        for (i, p) in points.iter().enumerate() {
-            let (first, count) = range(p);
+        let mut indices = vec![0u32; starts[planes.len()]];
+        for (i, span) in spans.enumerate() {
+            let (first, count) = range(span);
             for slot in &mut next[first..first + count] {
                 indices[*slot] = i as u32;
                 *slot += 1;
@@ -132,16 +132,16 @@ impl Slabs {
         Self { starts, indices }
     }
 
-    /// The points of one slab.
+    /// What lies in one slab.
     pub(crate) fn of_plane(&self, plane: usize) -> &[u32] {
         &self.indices[self.starts[plane]..self.starts[plane + 1]]
     }
 
-    /// Every point that lies in a slab, ascending, each once.
-    pub(crate) fn union(&self, points: usize) -> Vec<u32> {
-        let mut inside = vec![false; points];
+    /// All that lies in a slab, out of `count`, ascending, each once.
+    pub(crate) fn union(&self, count: usize) -> Vec<u32> {
+        let mut inside = vec![false; count];
         self.indices.iter().for_each(|&i| inside[i as usize] = true);
-        (0..points as u32).filter(|&i| inside[i as usize]).collect()
+        (0..count as u32).filter(|&i| inside[i as usize]).collect()
     }
 }
 
@@ -150,14 +150,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn slabs_hold_the_points_within_their_half_thickness() {
-        let points: Vec<[f64; 3]> = (0..100).map(|i| [0.0, 0.0, f64::from(i * 37 % 100) / 10.0]).collect();
-        let heights = [-3.0, 2.0, 2.5, 9.0];
-        let slabs = Slabs::of(&points, &heights, 1.0);
-        for (plane, z) in heights.iter().enumerate() {
-            let wanted: Vec<u32> =
-                (0..100u32).filter(|&i| (points[i as usize][2] - z).abs() <= 1.0).collect();
-            assert_eq!(slabs.of_plane(plane), wanted);
+    fn slabs_hold_what_comes_within_their_half_thickness() {
+        let span = |i: u32| (f64::from(i * 37 % 100) / 10.0, f64::from(i * 37 % 100 + i % 3) / 10.0);
+        let planes = [-3.0, 2.0, 2.5, 9.0];
+        let slabs = Slabs::of((0..100).map(span), &planes, 1.0);
+        for (plane, z) in planes.iter().enumerate() {
+            let near = |&i: &u32| span(i).0 <= z + 1.0 && span(i).1 >= z - 1.0;
+            assert_eq!(slabs.of_plane(plane), (0..100).filter(near).collect::<Vec<u32>>());
         }
     }
 

@@ -4,42 +4,46 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use rayon::prelude::*;
 
-use super::carry::{self, Reach, Sample};
-use super::params::{self, Cut, SectionParams};
+use super::carry::{Carrier, Reach, Sample};
+use super::params::{self, Cut, Outline, SectionParams, Side};
 use super::result::{self, Missing, Section, Sections};
 use super::slice::{self, Slabs, SliceFrame};
-use super::surface::{self, Surface, Texture};
+use super::surface::{self, Patch, Surface, Texture};
+use super::tile::{Tile, Tiles};
 use super::{adaptive, outline};
 use crate::error::Error;
 use crate::frame::Localised;
-use crate::neighbors::Index;
+use crate::neighbors::{Index, WIDTH};
 
 /// Fewest points of a slab that a curve is sought in.
 pub(super) const FEWEST: usize = 4;
 
-/// The cloud turned so that its third coordinate runs across the slices, with what holds for all of them.
+/// A cloud to be cut across one axis, with what holds for all slices.
 pub(super) struct Slicer<'a> {
+    local: &'a Localised,
+    index: &'a Index,
     params: &'a SectionParams,
     frame: SliceFrame,
     scale: f64,
     /// World height of local height 0.
     base: f64,
     texture: Texture,
-    turned: Vec<[f64; 3]>,
+    tiles: Tiles,
     observe: &'a (dyn Fn(f64) + Sync),
 }
 
 impl<'a> Slicer<'a> {
     pub(super) fn new(
-        local: &Localised,
+        local: &'a Localised,
+        index: &'a Index,
         params: &'a SectionParams,
-        texture: Texture,
         observe: &'a (dyn Fn(f64) + Sync),
     ) -> Self {
         let frame = slice::resolve(params.axis, &local.positions);
-        let turned = local.positions.par_iter().map(|&p| frame.coordinates(p)).collect();
+        let texture = surface::texture(&local.positions, index);
+        let tiles = Tiles::new(index, texture.noise, frame.axes[2]);
         let base = frame.coordinates(local.frame.offset)[2];
-        Self { params, frame, scale: local.frame.scale, base, texture, turned, observe }
+        Self { local, index, params, frame, scale: local.frame.scale, base, texture, tiles, observe }
     }
 
     /// The planes, world heights, in the order asked for.
@@ -50,13 +54,14 @@ impl<'a> Slicer<'a> {
 
     /// Least and greatest world height of the points; 0 for none.
     fn extent(&self) -> (f64, f64) {
-        let bounds = |(low, high): (f64, f64), p: &[f64; 3]| (low.min(p[2]), high.max(p[2]));
-        let (low, high) = self.turned.iter().fold((f64::INFINITY, f64::NEG_INFINITY), bounds);
+        let bounds =
+            |(low, high): (f64, f64), tile: &Tile| (low.min(tile.heights.0), high.max(tile.heights.1));
+        let (low, high) = self.tiles.tiles.iter().fold((f64::INFINITY, f64::NEG_INFINITY), bounds);
         if low > high { (0.0, 0.0) } else { (self.base + self.scale * low, self.base + self.scale * high) }
     }
 
     /// Planes at the middles of adaptive slabs.
-    pub(super) fn adapted(&self, local: &Localised, index: &Index, start: usize, most: usize) -> Vec<Cut> {
+    pub(super) fn adapted(&self, start: usize, most: usize) -> Vec<Cut> {
         let limits = adaptive::Limits {
             start,
             most,
@@ -64,7 +69,7 @@ impl<'a> Slicer<'a> {
             step: self.texture.spacing,
             alike: (0.15 + 0.5 * self.texture.noise) * self.texture.spacing,
         };
-        let slabs = adaptive::slabs(self.extent(), limits, |heights| self.cut(local, index, heights));
+        let slabs = adaptive::slabs(self.extent(), limits, |heights| self.cut(heights));
         slabs.into_iter().map(|(low, high)| (0.5 * (low + high), Some([low, high]))).collect()
     }
 
@@ -75,14 +80,16 @@ impl<'a> Slicer<'a> {
     }
 
     /// The sections at some world heights, in their order.
-    pub(super) fn cut(&self, local: &Localised, index: &Index, heights: &[f64]) -> Vec<Section> {
+    pub(super) fn cut(&self, heights: &[f64]) -> Vec<Section> {
         // Slabs want ascending planes; the order asked for comes back at the end.
         let mut order: Vec<usize> = (0..heights.len()).collect();
         order.sort_by(|&a, &b| heights[a].total_cmp(&heights[b]).then(a.cmp(&b)));
         let ascending: Vec<f64> = order.iter().map(|&k| (heights[k] - self.base) / self.scale).collect();
-        let slabs = Slabs::of(&self.turned, &ascending, self.half());
-        let wanted = slabs.union(self.turned.len());
-        let surface = surface::fit(&local.positions, index, &wanted, self.texture.noise);
+        let tiles = &self.tiles.tiles;
+        let slabs = Slabs::of(tiles.iter().map(|t| t.heights), &ascending, self.half());
+        let wanted = slabs.union(tiles.len());
+        let (points, noise) = (&self.local.positions, self.texture.noise);
+        let surface = surface::fit(points, self.index, &self.tiles, &wanted, noise);
         let done = AtomicUsize::new(0);
         let cut = |(slot, &plane): (usize, &usize)| {
             let place = Place { plane, height: heights[plane], local: ascending[slot] };
@@ -96,9 +103,9 @@ impl<'a> Slicer<'a> {
     }
 
     fn section(&self, slab: &[u32], surface: &Surface, place: Place) -> Section {
-        let samples = self.samples(slab, surface, place.local);
+        let (points, samples) = self.samples(slab, surface, place.local);
         let chains = outline::contours(&samples, self.params, &self.texture);
-        let missing = match (slab.len(), chains.len()) {
+        let missing = match (points, chains.len()) {
             (0, _) => Some(Missing::Empty),
             (n, 0) if n < FEWEST => Some(Missing::TooFewPoints(n)),
             (n, 0) => Some(Missing::NoCurve(n)),
@@ -106,14 +113,7 @@ impl<'a> Slicer<'a> {
         };
         let tolerance = self.params.tolerance.map_or_else(|| self.tolerance(), |t| t / self.scale);
         let contours = result::contours(chains, self.params.fit.then_some(tolerance));
-        Section {
-            plane: place.plane,
-            height: place.height,
-            slab: None,
-            points: slab.len(),
-            contours,
-            missing,
-        }
+        Section { plane: place.plane, height: place.height, slab: None, points, contours, missing }
     }
 
     /// What the smoothing leaves of the noise, with room for a curve to differ.
@@ -121,34 +121,61 @@ impl<'a> Slicer<'a> {
         (0.1 + 0.6 * self.texture.noise) * self.texture.spacing
     }
 
-    fn samples(&self, slab: &[u32], surface: &Surface, height: f64) -> Vec<Sample> {
+    /// How many points lie in a slab, and the samples of those that can be carried to its plane.
+    fn samples(&self, slab: &[u32], surface: &Surface, height: f64) -> (usize, Vec<Sample>) {
+        let half = self.half();
+        let (mut count, mut samples) = (0, Vec::with_capacity(4 * slab.len()));
+        for &leaf in slab {
+            let mut places = [[0.0; 3]; WIDTH];
+            let mut points = 0;
+            for (place, (_, p)) in places.iter_mut().zip(self.index.leaves[leaf as usize].points()) {
+                let [x, y, z] = self.frame.coordinates(p);
+                *place = [x, y, z - height];
+                points += 1;
+            }
+            let turned = &places[..points];
+            count += turned.iter().filter(|p| p[2].abs() <= half).count();
+            let tile = surface.tile(leaf);
+            if tile.flat {
+                let Some(carrier) = self.carrier(&tile.patch, height) else { continue };
+                if self.merges() {
+                    carrier.merged(turned, &mut samples);
+                } else {
+                    samples.extend(turned.iter().filter_map(|&p| carrier.sample(p)));
+                }
+            } else if let Some(patches) = surface.fine(leaf as usize) {
+                let sample = |(&p, patch)| self.carrier(patch, height)?.sample(p);
+                samples.extend(turned.iter().zip(patches).filter_map(sample));
+            }
+        }
+        (count, samples)
+    }
+
+    /// Whether the points of a tile may be taken together: an outline through feature points, or along a side, wants
+    /// the points themselves.
+    fn merges(&self) -> bool {
+        self.params.outline == Outline::Middle && self.params.side == Side::Middle
+    }
+
+    fn carrier(&self, patch: &Patch, height: f64) -> Option<Carrier> {
+        let mut patch = *patch;
+        patch.normal = self.frame.coordinates(patch.normal);
+        patch.centre = self.frame.coordinates(patch.centre);
+        patch.centre[2] -= height;
         let half = self.params.thickness.map(|t| 0.5 * t / self.scale);
-        let turn = |i: u32| {
-            let mut patch = *surface.at(i)?;
-            patch.normal = self.frame.coordinates(patch.normal);
-            patch.centre = self.frame.coordinates(patch.centre);
-            patch.centre[2] -= height;
-            let [x, y, z] = self.turned[i as usize];
-            let reach = Reach {
-                half: half.map_or(self.params.reach_spacings, |h| h / patch.spacing),
-                noise: self.texture.noise,
-                carry: self.params.carry,
-            };
-            carry::carry([x, y, z - height], &patch, reach)
+        let reach = Reach {
+            half: half.map_or(self.params.reach_spacings, |h| h / patch.spacing),
+            noise: self.texture.noise,
+            carry: self.params.carry,
         };
-        slab.iter().filter_map(|&i| turn(i)).collect()
+        Carrier::new(patch, reach)
     }
 
     /// Brings sections from the slice frame to the world.
-    pub(super) fn finish(
-        &self,
-        mut sections: Vec<Section>,
-        local: &Localised,
-        heights: Vec<f64>,
-    ) -> Sections {
+    pub(super) fn finish(&self, mut sections: Vec<Section>, heights: Vec<f64>) -> Sections {
         let world = |height: f64| {
             let third = (height - self.base) / self.scale;
-            move |p: [f64; 2]| local.frame.to_world(self.frame.vector([p[0], p[1], third]))
+            move |p: [f64; 2]| self.local.frame.to_world(self.frame.vector([p[0], p[1], third]))
         };
         for section in &mut sections {
             let to_world = world(section.height);

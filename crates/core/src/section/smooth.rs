@@ -21,7 +21,7 @@ pub(super) fn regress(band: &Band, centre: f64, width: f64, from: f64, to: f64) 
     let mut count = 0;
     band.visit(from.max(centre - width), to.min(centre + width), |arc, sample| {
         let u = (arc - centre) / width;
-        let kernel = (1.0 - u * u).max(0.0).powi(2) / (1.0 + sample.lift * sample.lift);
+        let kernel = (1.0 - u * u).max(0.0).powi(2) * sample.weight;
         count += 1;
         let values = [1.0, u, u * u, sample.raw[0], sample.raw[1], u * sample.raw[0], u * sample.raw[1]];
         for (sum, value) in sums.iter_mut().zip(values) {
@@ -53,7 +53,7 @@ fn parabola(band: &Band, centre: f64, width: f64, from: f64, to: f64) -> Option<
     let mut count = 0;
     band.visit(from.max(centre - wide), to.min(centre + wide), |arc, sample| {
         let u = (arc - centre) / wide;
-        let kernel = (1.0 - u * u).max(0.0).powi(2) / (1.0 + sample.lift * sample.lift);
+        let kernel = (1.0 - u * u).max(0.0).powi(2) * sample.weight;
         let powers = [1.0, u, u * u, u * u * u, u * u * u * u];
         count += 1;
         for (moment, power) in moments.iter_mut().zip(powers) {
@@ -129,8 +129,7 @@ fn blur(band: &Band, arc: f64, spacing: f64) -> f64 {
 
 /// Spacing of the chain at an arc.
 pub(super) fn spacing_at(band: &Band, arc: f64) -> f64 {
-    let v = band.arcs.partition_point(|&a| a <= arc).saturating_sub(1);
-    band.chain.vertices[v.min(band.chain.vertices.len() - 1)].spacing
+    band.chain.vertices[band.vertex(arc).min(band.chain.vertices.len() - 1)].spacing
 }
 
 /// Vertices between two arcs, a little under a spacing apart; the samples used stay between the arcs where those

@@ -4,6 +4,7 @@ use crate::math::eigen3::eigen3;
 use crate::math::vec3;
 
 /// Weighted mean and covariance of points.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Spread {
     /// Sum of the weights.
     pub weight: f64,
@@ -34,6 +35,17 @@ impl Spread {
             *slot -= value;
         }
         Self { weight, centre: vec3::add(origin, mean), tensor }
+    }
+
+    /// The spread of all points of several spreads.
+    pub(crate) fn merged(parts: &[Spread]) -> Self {
+        let origin = parts.first().map_or([0.0; 3], |p| p.centre);
+        let mut all = Self::of(parts.iter().map(|p| (p.centre, p.weight)), origin);
+        for part in parts {
+            let share = part.weight / all.weight.max(1.0);
+            all.tensor.iter_mut().zip(&part.tensor).for_each(|(sum, own)| *sum += share * own);
+        }
+        all
     }
 }
 

@@ -8,7 +8,11 @@ const SHORT: (usize, f64) = (4, 4.0);
 
 /// The chains but for strays, longest first.
 pub(crate) fn dropped(mut chains: Vec<Chain>) -> Vec<Chain> {
-    chains.sort_by(|a, b| b.length().total_cmp(&a.length()));
+    chains.sort_by_cached_key(|c| std::cmp::Reverse(c.length().to_bits()));
+    chains.retain(|c| c.closed || !(short(c) || weak(c)));
+    if chains.iter().all(|c| c.closed) {
+        return chains;
+    }
     let mut owners = Vec::new();
     let mut places = Vec::new();
     for (k, chain) in chains.iter().enumerate() {
@@ -18,15 +22,20 @@ pub(crate) fn dropped(mut chains: Vec<Chain>) -> Vec<Chain> {
     let tree = Tree::new(&places);
     let mut kept = vec![false; chains.len()];
     for (k, chain) in chains.iter().enumerate() {
-        let short = chain.vertices.len() < SHORT.0 || chain.length() < SHORT.1 * chain.spacing();
-        let weak = chain.vertices.iter().filter(|v| v.weak).count() * 2 > chain.vertices.len();
         // Longer chains have been judged.
-        let along = || runs_along(chain, &tree, |i| kept[owners[i as usize]]);
-        kept[k] = chain.closed || !(short || weak || along());
+        kept[k] = chain.closed || !runs_along(chain, &tree, |i| kept[owners[i as usize]]);
     }
     let mut kept = kept.into_iter();
     chains.retain(|_| kept.next().unwrap_or(false));
     chains
+}
+
+fn short(chain: &Chain) -> bool {
+    chain.vertices.len() < SHORT.0 || chain.length() < SHORT.1 * chain.spacing()
+}
+
+fn weak(chain: &Chain) -> bool {
+    chain.vertices.iter().filter(|v| v.weak).count() * 2 > chain.vertices.len()
 }
 
 /// Whether seven of ten vertices lie within a spacing of others that count.

@@ -1,14 +1,15 @@
 //! The local surface at the points of the slabs: a tangent plane each, its residual, the spacing there, the noise.
 //!
-//! A point beside a crease adopts the plane of a neighbour on its own face, so that a wall stays straight up to its
-//! edge. Patches stay in the blocks they were made in: a cloud of many points is passed over once.
+//! The points of a flat tile share its plane; the others have one each. A point beside a crease adopts the plane of a
+//! neighbour on its own face, so that a wall stays straight up to its edge.
 
 use rayon::prelude::*;
 
 pub(crate) use super::plane::Patch;
 use super::plane::{Around, FIRST, MOST};
+use super::tile::{Tile, Tiles, good};
 use crate::math::vec3;
-use crate::neighbors::{self, BLOCK, Found, Index};
+use crate::neighbors::{Index, WIDTH, nearest_leaves};
 
 /// Points the noise and the spacing of a cloud are read from.
 const SAMPLE: usize = 8_000;
@@ -24,37 +25,51 @@ pub(crate) struct Texture {
     pub widest: f64,
 }
 
-/// The patches of some points of a cloud.
-pub(crate) struct Surface {
-    /// `BLOCK` patches each, the last fewer.
-    blocks: Vec<Vec<Patch>>,
-    /// For each point the place of its patch in all blocks; `None`: each point has one, in order.
-    slots: Option<Vec<u32>>,
+/// The patches of the points of some leaves.
+pub(crate) struct Surface<'a> {
+    tiles: &'a Tiles,
+    /// For each leaf that is not flat and was asked for where its patches begin; else `NONE`.
+    starts: Vec<u32>,
+    /// Place by place, [`WIDTH`] for each of those leaves.
+    patches: Vec<Patch>,
 }
 
-impl Surface {
-    /// The patch at a point that was asked for.
+/// No patches.
+const NONE: u32 = u32::MAX;
+
+impl Surface<'_> {
+    /// The patch at a point, if its leaf is flat or was asked for.
     pub(crate) fn at(&self, point: u32) -> Option<&Patch> {
-        let (block, place) = self.place(point);
-        self.blocks.get(block)?.get(place)
+        let (leaf, place) = self.tiles.place(point);
+        let tile = &self.tiles.tiles[leaf];
+        if tile.flat { Some(&tile.patch) } else { Some(&self.fine(leaf)?[place]) }
     }
 
-    fn place(&self, point: u32) -> (usize, usize) {
-        let slot = self.slots.as_ref().map_or(point, |slots| slots[point as usize]) as usize;
-        (slot / BLOCK, slot % BLOCK)
+    /// A leaf's own tile.
+    pub(crate) fn tile(&self, leaf: u32) -> &Tile {
+        &self.tiles.tiles[leaf as usize]
+    }
+
+    /// The patches of a leaf that is not flat, place by place.
+    pub(crate) fn fine(&self, leaf: usize) -> Option<&[Patch]> {
+        self.patches.get(self.starts[leaf] as usize..)?.get(..WIDTH)
     }
 }
 
-/// Reads noise and spacing from evenly spread points of a cloud in canonical order.
+/// Reads noise and spacing from evenly spread leaves.
 pub(crate) fn texture(points: &[[f64; 3]], index: &Index) -> Texture {
-    let step = points.len().div_ceil(SAMPLE).max(1);
-    let sampled: Vec<u32> = (0..points.len() as u32).step_by(step).collect();
-    let patches: Vec<Patch> = sampled
-        .par_iter()
-        .map_init(Vec::new, |found, &i| {
-            Around::gather(points, i, &nearest(points, index, i, FIRST, found)).plain()
-        })
-        .collect();
+    let step = index.leaves.len().div_ceil(SAMPLE / WIDTH).max(1);
+    let leaves: Vec<u32> = (0..index.leaves.len() as u32).step_by(step).collect();
+    let width = (FIRST - 1).min(points.len().saturating_sub(1));
+    let patches = nearest_leaves(index, points, FIRST - 1, &leaves, |first, lists| {
+        let lists = lists.chunks(WIDTH * width).zip(&leaves[first..]);
+        let patches = lists.flat_map(|(lists, &leaf)| {
+            let ids = index.leaves[leaf as usize].ids().zip(lists.chunks(width));
+            ids.map(|(i, near)| Around::gather(points, i, near).plain())
+        });
+        patches.collect::<Vec<Patch>>()
+    })
+    .concat();
     let mut spacings: Vec<f64> = patches.iter().map(|p| p.spacing).filter(|&s| s > 0.0).collect();
     let ratio = |p: &Patch| p.residual / p.spacing;
     // The residual that a quiet third of the points shows: creases and curvature sit in the upper part.
@@ -74,61 +89,41 @@ fn quantile(values: &mut [f64], share: f64) -> f64 {
     *values.select_nth_unstable_by(at, f64::total_cmp).1
 }
 
-/// The nearest points of one, itself left out, nearest first.
-fn nearest(points: &[[f64; 3]], index: &Index, i: u32, count: usize, found: &mut Vec<Found>) -> Vec<u32> {
-    index.nearest(points[i as usize], count, found);
-    found.iter().map(|f| f.index).filter(|&j| j != i).collect()
+/// Fits the surface at the points of the `wanted` leaves, ascending, that are not flat.
+pub(crate) fn fit<'a>(
+    points: &[[f64; 3]],
+    index: &Index,
+    tiles: &'a Tiles,
+    wanted: &[u32],
+    noise: f64,
+) -> Surface<'a> {
+    let leaves: Vec<u32> = wanted.iter().copied().filter(|&l| !tiles.tiles[l as usize].flat).collect();
+    let mut starts = vec![NONE; tiles.tiles.len()];
+    leaves.iter().zip((0..).step_by(WIDTH)).for_each(|(&leaf, start)| starts[leaf as usize] = start);
+    let count = ((12.0 + 50.0 * noise) as usize).clamp(FIRST, MOST) - 1;
+    let width = count.min(points.len().saturating_sub(1));
+    let fits: Vec<Fits> = nearest_leaves(index, points, count, &leaves, |first, lists| {
+        let mut fits = Fits::default();
+        for (lists, &leaf) in lists.chunks(WIDTH * width).zip(&leaves[first..]) {
+            for (i, ids) in index.leaves[leaf as usize].ids().zip(lists.chunks(width)) {
+                fits.push(points, i, ids, noise);
+            }
+            fits.patches.resize(fits.patches.len().next_multiple_of(WIDTH), Patch::NONE);
+        }
+        fits
+    });
+    adopt_all(points, Surface { tiles, starts, patches: Vec::new() }, fits, noise)
 }
 
-/// Patches of a run of points, and the neighbours of those that fit badly: (point, how many), flat.
+/// Patches of the points of some leaves, and the neighbours of those that fit badly: (point, how many), flat.
 #[derive(Default)]
-struct Block {
+struct Fits {
     patches: Vec<Patch>,
     bad: Vec<(u32, u32)>,
     near: Vec<u32>,
 }
 
-/// A search of all points beats searches of single ones from this share of the points on: one in six.
-const MANY: usize = 6;
-
-/// Fits the surface at the `wanted` points (ascending) of a cloud.
-pub(crate) fn fit(points: &[[f64; 3]], index: &Index, wanted: &[u32], noise: f64) -> Surface {
-    let count = ((12.0 + 50.0 * noise) as usize).clamp(FIRST, MOST);
-    let all = wanted.len() * MANY > points.len();
-    let blocks: Vec<Block> = if all {
-        let width = (count - 1).min(points.len().saturating_sub(1)).max(1);
-        let mut inside = vec![false; points.len()];
-        wanted.iter().for_each(|&i| inside[i as usize] = true);
-        neighbors::nearest_blocks_in(index, points, count - 1, |first, lists| {
-            let mut block = Block { patches: Vec::with_capacity(BLOCK), ..Block::default() };
-            for (i, ids) in (first as u32..).zip(lists.chunks(width)) {
-                if inside[i as usize] {
-                    block.push(points, i, ids, noise);
-                } else {
-                    block.patches.push(Patch::NONE);
-                }
-            }
-            block
-        })
-    } else {
-        let visit = |chunk: &[u32]| {
-            let (mut block, mut found) = (Block::default(), Vec::new());
-            for &i in chunk {
-                block.push(points, i, &nearest(points, index, i, count, &mut found), noise);
-            }
-            block
-        };
-        wanted.par_chunks(BLOCK).map(visit).collect()
-    };
-    let slots = (!all).then(|| {
-        let mut slots = vec![u32::MAX; points.len()];
-        wanted.iter().enumerate().for_each(|(slot, &i)| slots[i as usize] = slot as u32);
-        slots
-    });
-    adopt_all(points, blocks, slots, noise)
-}
-
-impl Block {
+impl Fits {
     fn push(&mut self, points: &[[f64; 3]], i: u32, ids: &[u32], noise: f64) {
         let mut around = Around::gather(points, i, ids);
         let first = around.plain();
@@ -141,34 +136,22 @@ impl Block {
     }
 }
 
-/// Residual in spacings that noise explains.
-fn good(noise: f64) -> f64 {
-    1.4 * noise + 0.03
-}
-
 /// Lets badly fitting points adopt, all from the planes as they were fitted.
-fn adopt_all(points: &[[f64; 3]], blocks: Vec<Block>, slots: Option<Vec<u32>>, noise: f64) -> Surface {
-    let mut own = Surface { blocks: Vec::with_capacity(blocks.len()), slots };
-    let mut bad = Vec::with_capacity(blocks.len());
-    for block in blocks {
-        own.blocks.push(block.patches);
-        bad.push((block.bad, block.near));
-    }
-    let better: Vec<Vec<(u32, Patch)>> = bad
-        .par_iter()
-        .map(|(bad, near)| {
-            let mut start = 0;
-            let visit = |&(i, count): &(u32, u32)| {
-                let ids = &near[start..start + count as usize];
-                start += count as usize;
-                adopt(points, &own, i, ids, noise).map(|patch| (i, patch))
-            };
-            bad.iter().filter_map(visit).collect()
-        })
-        .collect();
+fn adopt_all<'a>(points: &[[f64; 3]], mut own: Surface<'a>, fits: Vec<Fits>, noise: f64) -> Surface<'a> {
+    own.patches = fits.iter().flat_map(|f| &f.patches).copied().collect();
+    let better = |fits: &Fits| {
+        let mut start = 0;
+        let visit = |&(i, count): &(u32, u32)| {
+            let ids = &fits.near[start..start + count as usize];
+            start += count as usize;
+            adopt(points, &own, i, ids, noise).map(|patch| (i, patch))
+        };
+        fits.bad.iter().filter_map(visit).collect::<Vec<(u32, Patch)>>()
+    };
+    let better: Vec<Vec<(u32, Patch)>> = fits.par_iter().map(better).collect();
     for &(i, patch) in better.iter().flatten() {
-        let (block, place) = own.place(i);
-        own.blocks[block][place] = patch;
+        let (leaf, place) = own.tiles.place(i);
+        own.patches[own.starts[leaf] as usize + place] = patch;
     }
     own
 }

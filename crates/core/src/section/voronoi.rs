@@ -6,8 +6,10 @@
 //! The bound is a multiple of the greatest distance of the region's points from the chord: a large one gives small
 //! steps and many feature points, a small one large steps and few.
 //!
-//! Departure: where a circle cuts off less than a twentieth of a large region, the point farthest from the chord is
-//! taken as well, which keeps the number of rounds logarithmic; the paper assumes it.
+//! Departures: where a circle cuts off less than a twentieth of a large region, the point farthest from the chord is
+//! taken as well, which keeps the number of rounds logarithmic; the paper assumes it. Circles that touch nothing but the two
+//! ends of a region are passed over; of more than three points on a circle three are taken. Regions, threshold and the
+//! polyline drawn are those of `hull`.
 
 use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation};
 

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use super::super::result::Sections;
 use super::super::surface::{self, Surface};
+use super::super::tile::Tiles;
 use super::profile::Profile;
 use super::runs::Found;
 use crate::frame::Localised;
@@ -47,7 +48,8 @@ pub(super) fn refine(local: &Localised, index: &Index, sections: &Sections, runs
     let flat: Vec<&Search> = searches.iter().flatten().collect();
     let spots = spots(local, sections, &flat);
     let near: Vec<Vec<(Spot, f64)>> = flat.par_iter().map(|s| beside(&spots, s, sections.spacing)).collect();
-    let faces = Faces::new(local, index, sections, &near);
+    let tiles = Tiles::new(index, sections.noise, sections.frame.axes[2]);
+    let faces = Faces::new(local, index, &tiles, sections, &near);
     let ends: Vec<Option<(f64, f64)>> = flat
         .par_iter()
         .zip(&near)
@@ -70,8 +72,9 @@ pub(super) fn refine(local: &Localised, index: &Index, sections: &Sections, runs
 }
 
 fn searches<'a>(Found { run, profiles, folds }: &Found<'a>, sections: &Sections) -> [Search<'a>; 2] {
-    // A slice within a spacing of a face may not show the outline whole: the face then lies past that slice.
-    let past = sections.spacing;
+    // A slice within a spacing of a face may not show the outline whole: the face then lies past that slice, and noise
+    // spreads its points.
+    let past = (1.0 + 4.0 * sections.noise) * sections.spacing;
     let [low, _, high] = *profiles;
     let (first, last) = (low.height, high.height);
     // Beyond the outermost slice the cloud may go on for any length: its end bounds the search.
@@ -127,24 +130,35 @@ fn beside(spots: &[Spot], search: &Search, h: f64) -> Vec<(Spot, f64)> {
 
 /// Which points lie on faces across the axis.
 struct Faces<'a> {
+    local: &'a Localised,
     sections: &'a Sections,
-    surface: Surface,
+    surface: Surface<'a>,
 }
 
 impl<'a> Faces<'a> {
-    fn new(local: &Localised, index: &Index, sections: &'a Sections, near: &[Vec<(Spot, f64)>]) -> Self {
-        let mut wanted: Vec<u32> = near.iter().flatten().map(|(s, _)| s.index).collect();
+    fn new(
+        local: &'a Localised,
+        index: &Index,
+        tiles: &'a Tiles,
+        sections: &'a Sections,
+        near: &[Vec<(Spot, f64)>],
+    ) -> Self {
+        let mut wanted: Vec<u32> =
+            near.iter().flatten().map(|(s, _)| tiles.place(s.index).0 as u32).collect();
         wanted.sort_unstable();
         wanted.dedup();
-        let surface = surface::fit(&local.positions, index, &wanted, sections.noise);
-        Self { sections, surface }
+        let surface = surface::fit(&local.positions, index, tiles, &wanted, sections.noise);
+        Self { local, sections, surface }
     }
 
     fn hold(&self, point: u32) -> bool {
         let axis = self.sections.frame.axes[2];
+        let at = self.local.positions[point as usize];
         self.surface.at(point).is_some_and(|p| {
-            let fits = p.residual <= (2.0 * self.sections.noise + 0.15) * p.spacing;
-            fits && vec3::dot(p.normal, axis).abs() >= FLAT
+            let (noise, off) = (self.sections.noise, vec3::dot(vec3::sub(at, p.centre), p.normal).abs());
+            let fits = p.residual <= (2.0 * noise + 0.15) * p.spacing;
+            // A tile of the face may hold a few points of the wall.
+            fits && off <= (1.5 * noise + 0.05) * p.spacing && vec3::dot(p.normal, axis).abs() >= FLAT
         })
     }
 }

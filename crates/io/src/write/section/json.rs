@@ -5,6 +5,7 @@ use super::SectionContext;
 use crate::write::json::{Number, Point, Text, lines, list};
 use lineament::curve::BSpline;
 use lineament::section::{Contour, CurvePiece, CurveShape, Feature, Mirror, Repeat, Run, Section, Sections};
+use rayon::prelude::*;
 use std::io::{self, Write};
 
 /// The name of the schema, as it stands in every file.
@@ -33,7 +34,7 @@ pub(super) fn write(out: &mut dyn Write, sections: &Sections, context: &SectionC
         .flat_map(|s| s.contours.iter().enumerate().map(|(i, c)| (s.plane, i, c)))
         .collect();
     write!(out, "],\n\"strips\": [")?;
-    lines(out, &all, strip)?;
+    strips(out, &all)?;
     write!(out, "],\n\"features\": [")?;
     lines(out, &stack.runs, run)?;
     write!(out, "],\n\"mirrors\": [")?;
@@ -56,6 +57,25 @@ fn plane(out: &mut dyn Write, _: usize, section: &Section) -> io::Result<()> {
         Some(missing) => write!(out, "{}}}", Text(&missing.reason())),
         None => write!(out, "null}}"),
     }
+}
+
+/// Contours are put in words side by side, this many at a time.
+const BATCH: usize = 128;
+
+/// [`lines`] of contours: their numbers are most of a file, and of the time it takes.
+fn strips(out: &mut dyn Write, all: &[(usize, usize, &Contour)]) -> io::Result<()> {
+    for (b, batch) in all.chunks(BATCH).enumerate() {
+        let text = |(i, contour): (usize, &(usize, usize, &Contour))| {
+            let id = b * BATCH + i;
+            let mut text = Vec::from(if id > 0 { ",\n" } else { "\n" });
+            strip(&mut text, id, contour).map(|()| text)
+        };
+        let texts: Vec<io::Result<Vec<u8>>> = batch.par_iter().enumerate().map(text).collect();
+        for text in texts {
+            out.write_all(&text?)?;
+        }
+    }
+    if all.is_empty() { Ok(()) } else { writeln!(out) }
 }
 
 fn strip(out: &mut dyn Write, id: usize, (plane, index, c): &(usize, usize, &Contour)) -> io::Result<()> {
