@@ -50,6 +50,14 @@ pub(crate) struct Context<'a> {
     pub(crate) least_fold: f64,
 }
 
+/// The surface around a point: the correlation tensor of its normals, what pulls the point on to their planes, and the two sides
+/// that were looked at where there are more.
+pub(crate) struct Sides {
+    pub(crate) tensor: Eigen3,
+    pub(crate) pull: [f64; 3],
+    pub(crate) pair: Option<Pair>,
+}
+
 /// What a block of points yields: a row each, and the candidates among them.
 #[derive(Default)]
 struct Block {
@@ -116,8 +124,8 @@ impl Context<'_> {
     fn point(&self, i: usize, buffers: &mut Buffers, block: &mut Block) {
         let Buffers { scratch, angles, section } = buffers;
         let near = inner(self.graph, i, self.hops, scratch);
-        let (tensor, pull, sides) = self.sides(i, near);
-        let fold = tensor.values[1].max(0.0).sqrt();
+        let sides = self.sides(i, near);
+        let fold = sides.tensor.values[1].max(0.0).sqrt();
         let penalty = 1.0 - fold / (2.0 * self.least_fold);
         let folded = penalty < MOST_PENALTY;
         let open = fold < ACUTE && may_be_border(self.points, i, self.graph.of(i));
@@ -128,7 +136,7 @@ impl Context<'_> {
         }
         let wide = self.graph.hops(i, self.hops.max(2), scratch);
         if folded {
-            let row = self.crease(i, &tensor, pull, sides, penalty.max(0.0), wide, section);
+            let row = self.crease(i, &sides, penalty.max(0.0), wide, section);
             if row.evidence > CLEARLY_SMOOTH {
                 block.crease.push((i as u32, row));
             }
@@ -139,20 +147,20 @@ impl Context<'_> {
     }
 
     /// The tensor of all neighbours, or where these have more than two sides that of two of them.
-    pub(crate) fn sides(&self, i: usize, near: &[u32]) -> (Eigen3, [f64; 3], Option<Pair>) {
+    pub(crate) fn sides(&self, i: usize, near: &[u32]) -> Sides {
         let (tensor, pull) = self.normal_tensor(i, near);
         let [least, middle, _] = tensor.values.map(|x| x.max(0.0));
         let folded = middle.sqrt() > 2.0 * self.least_fold * (1.0 - MOST_PENALTY);
         if !folded || least.sqrt() > self.least_fold {
-            return (tensor, pull, None);
+            return Sides { tensor, pull, pair: None };
         }
         let foot = add(self.points[i], shift(&tensor, pull, 1));
-        let Some(pair) = pair(self, i, near, foot) else { return (tensor, pull, None) };
+        let Some(pair) = pair(self, i, near, foot) else { return Sides { tensor, pull, pair: None } };
         let holds =
             |&&j: &&u32| pair.holds(self.points[j as usize], self.normals.vectors[j as usize].map(f64::from));
         let some: Vec<u32> = near.iter().filter(holds).copied().collect();
         let (tensor, pull) = self.normal_tensor(i, &some);
-        (tensor, pull, Some(pair))
+        Sides { tensor, pull, pair: Some(pair) }
     }
 
     /// Correlation tensor of the normals around point `i`, and `sum w n (n . (q - p))`, both over the sum of weights.
@@ -173,16 +181,15 @@ impl Context<'_> {
     pub(crate) fn crease(
         &self,
         i: usize,
-        tensor: &Eigen3,
-        pull: [f64; 3],
-        sides: Option<Pair>,
+        sides: &Sides,
         penalty: f64,
         wide: &[u32],
         section: &mut CrossSection,
     ) -> Row {
+        let Sides { tensor, pull, pair } = sides;
         let [least, middle, _] = tensor.values.map(|x| x.max(0.0));
         let corner = least.sqrt() > self.least_fold;
-        let shift = shift(tensor, pull, if corner { 0 } else { 1 });
+        let shift = shift(tensor, *pull, if corner { 0 } else { 1 });
         let reach = 2.0 * self.resolution.unit() + 2.0 * self.resolution.noise;
         let foot = if norm(shift) <= reach { add(self.points[i], shift) } else { self.points[i] };
         let certainty = if middle > 0.0 { 1.0 - (least / middle).sqrt() } else { 0.0 };
@@ -191,7 +198,7 @@ impl Context<'_> {
             Fold::default()
         } else {
             let seen = |&j: &usize| {
-                sides.is_none_or(|s| s.holds(self.points[j], self.normals.vectors[j].map(f64::from)))
+                pair.is_none_or(|s| s.holds(self.points[j], self.normals.vectors[j].map(f64::from)))
             };
             let near = wide.iter().map(|&j| j as usize).filter(seen).chain([i]).map(|j| self.points[j]);
             sharpness(near, tensor, foot, self.resolution, section)

@@ -96,12 +96,12 @@ fn rows(context: &Context, marks: &Marks) -> Vec<Candidate> {
             return None;
         }
         let near = context.graph.hops(i, context.hops.max(2) - 1, scratch);
-        let (tensor, pull, sides) = context.sides(i, near);
-        let fold = tensor.values[1].max(0.0).sqrt();
+        let sides = context.sides(i, near);
+        let fold = sides.tensor.values[1].max(0.0).sqrt();
         let wide = context.graph.hops(i, context.hops.max(2), scratch);
         let penalty = marks.threshold / (score + marks.threshold);
         let crease = (is_crease && fold > LEAST_FOLDED * context.least_fold)
-            .then(|| context.crease(i, &tensor, pull, sides, penalty, wide, section))
+            .then(|| context.crease(i, &sides, penalty, wide, section))
             .filter(|row| row.evidence > CLEARLY_SMOOTH);
         Some((i as u32, crease, border.filter(|_| fold < ACUTE)))
     };
