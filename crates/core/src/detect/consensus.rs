@@ -17,8 +17,13 @@ const NEAREST: usize = 6;
 /// Refinements by weighted least squares.
 const REFINEMENTS: usize = 2;
 
-/// A plane with a smaller share of the neighbours may have won by chance: a wider neighbourhood decides.
+/// A plane with a smaller share of the neighbours may have won by chance over another that has nearly as much: a wider
+/// neighbourhood decides.
 const SURE: f64 = 0.7;
+/// What is nearly as much.
+const RIVAL: f64 = 0.7;
+/// Planes at a greater angle are others.
+const OTHER_DEG: f64 = 20.0;
 
 /// What a neighbour counts there that is farther than the first.
 const RING: f64 = 0.375;
@@ -53,21 +58,23 @@ pub fn consensus_normals(
             let all = graph.hops(i, hops, scratch);
             let candidates =
                 [&near[..near.len().min(NEAREST)], all].map(|set| ellipsoid(points, i, set).axes.vectors[0]);
-            best(points, i, all, &[], rate, candidates.into_iter()).0.map(|x| x as f32)
+            best(candidates.map(|n| (n, weight(points, i, all, rate, n))).into_iter()).0.map(|x| x as f32)
         })
         .collect();
     blocks()
-        .map_init(Scratch::default, |scratch, i| {
-            let planes = || {
-                let near = graph.of(i).iter().map(|&j| j as usize);
-                std::iter::once(i).chain(near).map(|j| own[j].map(f64::from))
-            };
+        .map_init(Default::default, |(scratch, planes): &mut (Scratch, Vec<Plane>), i| {
             let all = graph.hops(i, hops, scratch);
             let near = all.len();
-            let (mut normal, weight) = best(points, i, all, &[], rate, planes());
-            if weight < SURE * near as f64 {
-                let (near, ring) = graph.hops(i, hops + 1, scratch).split_at(near);
-                normal = best(points, i, near, ring, rate, planes()).0;
+            planes.clear();
+            planes.extend([i as u32].iter().chain(graph.of(i)).map(|&j| {
+                let normal = own[j as usize].map(f64::from);
+                (normal, weight(points, i, all, rate, normal))
+            }));
+            let mut normal = best(planes.iter().copied()).0;
+            if let Some(rivals) = rivals(planes, near) {
+                let ring = &graph.hops(i, hops + 1, scratch)[near..];
+                normal =
+                    best(rivals.map(|(n, w)| (n, w + RING * weight(points, i, ring, rate, n))).into_iter()).0;
             }
             let all = graph.hops(i, hops, scratch);
             for _ in 0..REFINEMENTS {
@@ -78,28 +85,33 @@ pub fn consensus_normals(
         .collect()
 }
 
-/// The candidate with most weight of neighbours, those of the `ring` beyond them counting less; the first among equals, and that weight.
-fn best(
-    points: &[[f64; 3]],
-    i: usize,
-    near: &[u32],
-    ring: &[u32],
-    rate: f64,
-    candidates: impl Iterator<Item = [f64; 3]>,
-) -> ([f64; 3], f64) {
-    let mut best = ([0.0, 0.0, 1.0], -1.0);
-    for normal in candidates {
+/// A unit normal and the weight of the neighbours that lie in its plane.
+type Plane = ([f64; 3], f64);
+
+/// The weight of neighbours in the plane through point `i`.
+fn weight(points: &[[f64; 3]], i: usize, neighbors: &[u32], rate: f64, normal: [f64; 3]) -> f64 {
+    let weigh = |&j: &u32| {
+        let offset = dot(normal, sub(points[j as usize], points[i]));
         // A Cauchy weight ranks like a Gaussian and costs a division.
-        let weigh = |j: &u32| {
-            let offset = dot(normal, sub(points[*j as usize], points[i]));
-            1.0 / (1.0 + offset * offset * rate * 2.0)
-        };
-        let weight = near.iter().map(weigh).sum::<f64>() + RING * ring.iter().map(weigh).sum::<f64>();
-        if weight > best.1 {
-            best = (normal, weight);
-        }
+        1.0 / (1.0 + offset * offset * rate * 2.0)
+    };
+    neighbors.iter().map(weigh).sum()
+}
+
+/// The plane with most weight, the first among equals.
+fn best(planes: impl Iterator<Item = Plane>) -> Plane {
+    planes.fold(([0.0, 0.0, 1.0], -1.0), |best, plane| if plane.1 > best.1 { plane } else { best })
+}
+
+/// The best plane and the best that is another, if they may have won and lost by chance.
+fn rivals(planes: &[Plane], neighbors: usize) -> Option<[Plane; 2]> {
+    let first = best(planes.iter().copied());
+    if first.1 >= SURE * neighbors as f64 {
+        return None;
     }
-    best
+    let cosine = OTHER_DEG.to_radians().cos();
+    let second = best(planes.iter().copied().filter(|p| dot(p.0, first.0).abs() < cosine));
+    (second.1 > RIVAL * first.1).then_some([first, second])
 }
 
 /// One step of weighted least squares from `normal`, the plane free to leave the point.
