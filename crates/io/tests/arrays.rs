@@ -1,7 +1,10 @@
 //! NPZ and Parquet: columns with names, written and read.
 
 mod common;
+use ::parquet::basic::Compression;
+use ::parquet::file::properties::WriterVersion;
 use common::from_bytes;
+use common::parquet::{codecs, file};
 use lineament::{Attribute, Cloud, Column};
 use lineament_io::{Format, PointFormat, PointTable, ReadOptions, Scan, write_points_to};
 
@@ -54,6 +57,33 @@ fn positions_and_attributes_of_every_type_come_back_bit_for_bit() {
         }
         assert_eq!(attributes[11].name, "input_class");
     }
+}
+
+#[test]
+fn parquet_of_every_codec_page_version_and_encoding_reads_the_same() {
+    for codec in codecs() {
+        for version in [WriterVersion::PARQUET_1_0, WriterVersion::PARQUET_2_0] {
+            for dictionary in [false, true] {
+                let scan = read(&file(codec, version, dictionary, 2000));
+                assert_eq!(scan.cloud.positions[1999], [49.0, 49.0, 12.25], "{codec} {version:?}");
+                let Column::F64(values) = &scan.cloud.attributes[0].values else { panic!("no f64") };
+                // Without a sign, as the schema says, even where nulls make doubles of integers.
+                assert_eq!((values[1], values[1999]), (4_294_967_295.0, 998.0), "{codec} {version:?}");
+                assert!(values.iter().step_by(2).all(|value| value.is_nan()));
+            }
+        }
+    }
+}
+
+#[test]
+fn parquet_that_unpacks_beyond_the_bound_is_refused_and_read_with_a_wider_one() {
+    let bytes = file(Compression::ZSTD(Default::default()), WriterVersion::PARQUET_2_0, true, 2_000_000);
+    assert!(bytes.len() < 9 << 20, "{}", bytes.len());
+    let narrow = ReadOptions { memory: Some(64 << 20), ..ReadOptions::default() };
+    let error = from_bytes(&bytes, "large.parquet", &narrow).unwrap_err().to_string();
+    assert!(error.contains("--memory") && error.contains("byte "), "{error}");
+    let wide = ReadOptions { memory: Some(1 << 30), ..ReadOptions::default() };
+    assert_eq!(from_bytes(&bytes, "large.parquet", &wide).unwrap().cloud.len(), 2_000_000);
 }
 
 #[test]

@@ -2,7 +2,8 @@
 
 mod common;
 use common::{from_bytes, from_pipe};
-use lineament_io::{Format, ReadOptions, read_from};
+use lineament::{Attribute, Cloud, Column};
+use lineament_io::{Format, PointFormat, PointTable, ReadOptions, read_from, write_points_to};
 use std::io::Cursor;
 
 fn error(bytes: &[u8], name: &str) -> String {
@@ -29,4 +30,17 @@ fn a_binary_stl_without_magic_is_recognised_in_a_pipe_too() {
     let scan = read_from(Box::new(Cursor::new(stl.clone())), "pipe", &ReadOptions::default()).unwrap();
     assert_eq!((scan.format, scan.cloud.len()), (Format::Stl, 6));
     assert_eq!(from_pipe(&stl, "pipe", &ReadOptions::default()).unwrap().cloud, scan.cloud);
+}
+
+#[test]
+fn gps_times_of_both_signs_are_packed_and_come_back() {
+    let times = vec![-1e9, 3e8, f64::MIN, f64::MAX, -0.0, 0.0];
+    let values = Column::F64(times);
+    let attributes = vec![Attribute { name: "gps_time".into(), values }];
+    let cloud = Cloud { positions: vec![[0.5, 0.25, 0.125]; 6], attributes };
+    let table = PointTable { cloud: &cloud, classes: &[1; 6], scores: &[], las: None };
+    let mut bytes = Vec::new();
+    write_points_to(&mut bytes, PointFormat::Laz, &table).unwrap();
+    let scan = from_bytes(&bytes, "times.laz", &ReadOptions::default()).unwrap();
+    assert!(scan.cloud.attributes.contains(&cloud.attributes[0]), "{:?}", scan.cloud.attributes);
 }
