@@ -12,6 +12,8 @@ use ::parquet::file::metadata::ColumnChunkMetaData;
 const MAX_HEADER: u64 = 1 << 16;
 /// Structures inside each other beyond which a header is damaged.
 const DEPTH: u8 = 8;
+/// Stands for the field that a structure is where nothing is asked of it.
+const DEEP: i16 = i16::MIN;
 /// The least bytes of a value in a dictionary of numbers.
 const LEAST_VALUE: i64 = 4;
 
@@ -161,9 +163,10 @@ impl Thrift<'_> {
             9 | 10 => {
                 let head = self.byte()?;
                 let count = if head >> 4 == 15 { self.varint()? } else { u64::from(head >> 4) };
-                (0..count).try_for_each(|_| self.value(head & 0xf, depth.checked_add(1)?, i16::MIN, found))
+                (0..count).try_for_each(|_| self.value(head & 0xf, depth.checked_add(1)?, DEEP, found))
             }
-            12 if depth < DEPTH => self.structure(depth + 1, id, found),
+            // Deeper structures (statistics) have fields of their own under the same numbers.
+            12 if depth < DEPTH => self.structure(depth + 1, if depth == 0 { id } else { DEEP }, found),
             _ => None,
         }
     }
