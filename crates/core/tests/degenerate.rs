@@ -12,9 +12,16 @@ const SOON: Duration = Duration::from_secs(5);
 
 type Points = Vec<[f64; 3]>;
 
-/// The result in either form of the penalties, the robust one first.
+/// The result in either form of the penalties, the robust one first. The other methods give a valid network or a refusal
+/// as soon.
 #[track_caller]
 fn both(name: &str, points: &[[f64; 3]]) -> [Result<Extraction, Error>; 2] {
+    for method in [Method::Projection, Method::Segments] {
+        let start = Instant::now();
+        let result = checked(&cloud(points), &Params { method, ..Params::default() });
+        assert!(start.elapsed() < SOON, "{name}, {method:?}: {:?}", start.elapsed());
+        assert!(!matches!(result, Err(Error::Parameter { .. })), "{name}, {method:?}: {result:?}");
+    }
     ["robust", "paper"].map(|form| {
         let mut params = Params::default();
         params.set("penalty.form", form).unwrap();

@@ -71,8 +71,13 @@ fn check_footer(source: &Source, options: &ReadOptions, shared: &Shared) -> Resu
         return Err(fault(source, length, "an end without `PAR1`: the file is not whole".into()));
     };
     let metadata = u64::from(u32::from_le_bytes([a, b, c, d]));
-    let fits = metadata + 12 <= length && metadata * METADATA <= limit::bound(source, options);
-    if fits { Ok(()) } else { Err(fault(source, length - 8, format!("metadata of {metadata} bytes"))) }
+    if metadata + 12 > length {
+        return Err(fault(source, length - 8, format!("metadata of {metadata} bytes")));
+    }
+    if metadata * METADATA > limit::bound(source, options) {
+        return Err(limit::beyond(source, options, length - 8, &format!("metadata of {metadata} bytes")));
+    }
+    Ok(())
 }
 
 fn decode(source: &Source, options: &ReadOptions, shared: &Shared) -> Result<Decoded, Error> {
