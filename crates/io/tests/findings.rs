@@ -44,3 +44,18 @@ fn gps_times_of_both_signs_are_packed_and_come_back() {
     let scan = from_bytes(&bytes, "times.laz", &ReadOptions::default()).unwrap();
     assert!(scan.cloud.attributes.contains(&cloud.attributes[0]), "{:?}", scan.cloud.attributes);
 }
+
+/// Lists of booleans take no bytes, so that a few of them inside each other are any amount of work.
+#[test]
+fn metadata_of_parquet_that_counts_what_takes_no_bytes_is_refused_at_once() {
+    let list = [0xf1, 0xff, 0xff, 0xff, 0xff, 0x07];
+    for count in [1, 5] {
+        // Field 9 of the metadata, which does not exist: a list of lists.
+        let metadata = [&[0x99, count << 4 | 9], list.repeat(usize::from(count)).as_slice(), &[0]].concat();
+        let length = (metadata.len() as u32).to_le_bytes();
+        let bytes = [b"PAR1", metadata.as_slice(), &length, b"PAR1"].concat();
+        let start = std::time::Instant::now();
+        assert!(error(&bytes, "lists.parquet").contains("metadata that is no whole structure"));
+        assert!(start.elapsed() < std::time::Duration::from_secs(5), "{:?}", start.elapsed());
+    }
+}

@@ -63,7 +63,7 @@ fn fault(source: &Source, at: u64, found: String) -> Error {
     source.fault(Place::Byte(at), found, "the file is cut or damaged; get it anew")
 }
 
-/// The length of the metadata at the end, before the decoder takes memory for it.
+/// The metadata at the end, before the decoder takes memory or time for what it claims.
 fn check_footer(source: &Source, options: &ReadOptions, shared: &Shared) -> Result<(), Error> {
     let length = shared.length();
     let end = length.checked_sub(8).and_then(|at| shared.at(at, 8).ok()).filter(|end| end.ends_with(MAGIC));
@@ -77,7 +77,10 @@ fn check_footer(source: &Source, options: &ReadOptions, shared: &Shared) -> Resu
     if metadata * METADATA > limit::bound(source, options) {
         return Err(limit::beyond(source, options, length - 8, &format!("metadata of {metadata} bytes")));
     }
-    Ok(())
+    let at = length - 8 - metadata;
+    let bytes = shared.at(at, metadata as usize).map_err(|e| source.io(e))?;
+    let whole = pages::is_structure(&bytes);
+    if whole { Ok(()) } else { Err(fault(source, at, "metadata that is no whole structure".into())) }
 }
 
 fn decode(source: &Source, options: &ReadOptions, shared: &Shared) -> Result<Decoded, Error> {

@@ -11,7 +11,7 @@ use ::parquet::file::metadata::ColumnChunkMetaData;
 /// Bytes of a header beyond which it is not read.
 const MAX_HEADER: u64 = 1 << 16;
 /// Structures inside each other beyond which a header is damaged.
-const DEPTH: u8 = 8;
+const DEPTH: u8 = 12;
 /// Stands for the field that a structure is where nothing is asked of it.
 const DEEP: i16 = i16::MIN;
 /// The least bytes of a value in a dictionary of numbers.
@@ -94,6 +94,11 @@ fn page(bytes: &[u8]) -> Option<(Page, usize)> {
     Some((page, bytes.len() - thrift.0.len()))
 }
 
+/// Whether bytes begin with a whole structure, in which everything that is counted takes bytes.
+pub(super) fn is_structure(bytes: &[u8]) -> bool {
+    Thrift(bytes).structure(0, 0, &mut |_, _, _| {}).is_some()
+}
+
 /// What is left of a structure.
 struct Thrift<'a>(&'a [u8]);
 
@@ -163,6 +168,10 @@ impl Thrift<'_> {
             9 | 10 => {
                 let head = self.byte()?;
                 let count = if head >> 4 == 15 { self.varint()? } else { u64::from(head >> 4) };
+                // The format has no list of booleans, and the decoder passes over any number of them in no bytes.
+                if matches!(head & 0xf, 1 | 2) && count > 0 {
+                    return None;
+                }
                 (0..count).try_for_each(|_| self.value(head & 0xf, depth.checked_add(1)?, DEEP, found))
             }
             // Deeper structures (statistics) have fields of their own under the same numbers.
