@@ -176,3 +176,30 @@ fn points_of_an_archive_are_found_by_name_by_shape_or_as_three_arrays() {
         assert!(error.contains("byte "), "{error}");
     }
 }
+
+/// More rows than a row group, and more numbers than go out at a time.
+#[test]
+fn a_large_cloud_is_written_in_parts_none_of_which_is_the_whole() {
+    struct Largest(usize, Vec<u8>);
+    impl std::io::Write for Largest {
+        fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+            self.0 = self.0.max(bytes.len());
+            self.1.write(bytes)
+        }
+        fn flush(&mut self) -> std::io::Result<()> {
+            Ok(())
+        }
+    }
+    let count = (1 << 20) + 5000;
+    let cloud = Cloud::new((0..count).map(|i| [f64::from(i).sqrt(), f64::from(i % 77), 0.5]).collect());
+    let classes: Vec<u8> = (0..count).map(|i| i as u8 % 4).collect();
+    let table = PointTable { cloud: &cloud, classes: &classes, scores: &[], las: None };
+    for format in [PointFormat::Npz, PointFormat::Parquet] {
+        let mut out = Largest(0, Vec::new());
+        write_points_to(&mut out, format, &table).unwrap();
+        let Largest(largest, bytes) = out;
+        assert!(largest < bytes.len(), "{format}: {largest} of {} bytes at once", bytes.len());
+        let scan = from_bytes(&bytes, "large", &ReadOptions { memory: Some(1 << 30), ..Default::default() });
+        assert_eq!(scan.unwrap().cloud.positions, cloud.positions, "{format}");
+    }
+}
