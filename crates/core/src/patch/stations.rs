@@ -87,7 +87,7 @@ fn places(strip: &Strip, step: f64) -> Vec<[f64; 3]> {
     let count = strip.points.len();
     let segments = if strip.closed { count } else { count.saturating_sub(1) };
     let ends = |i: usize| (strip.points[i], strip.points[(i + 1) % count]);
-    let length: f64 = (0..segments).map(|i| ends(i)).map(|(a, b)| norm(sub(b, a))).sum();
+    let length: f64 = (0..segments).map(ends).map(|(a, b)| norm(sub(b, a))).sum();
     let step = step.max(length / MOST);
     for i in 0..segments {
         let (a, b) = ends(i);
