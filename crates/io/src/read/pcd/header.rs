@@ -165,7 +165,12 @@ impl Lines {
         }
         let numbers = counts.iter().fold(0u64, |sum, &count| sum.saturating_add(count));
         if numbers.saturating_mul(FIELD) > limit::bound(source, options) {
-            return Err(limit::beyond(source, options, 0, &format!("a row of {numbers} numbers")));
+            return Err(limit::beyond(
+                source,
+                options,
+                0,
+                &format!("a row of {numbers} numbers: COUNT {counts:?}"),
+            ));
         }
         let mut fields = Vec::new();
         let mut offset = 0;
