@@ -59,3 +59,14 @@ fn metadata_of_parquet_that_counts_what_takes_no_bytes_is_refused_at_once() {
         assert!(start.elapsed() < std::time::Duration::from_secs(5), "{:?}", start.elapsed());
     }
 }
+
+#[test]
+fn a_chunk_table_at_the_end_of_all_numbers_is_refused() {
+    let mut laz = common::las::file(7, 40, Some(10));
+    let points_at = u32::from_le_bytes(laz[96..100].try_into().unwrap()) as usize;
+    let length = laz.len();
+    // Before the points -1 says that the place stands at the end of the file.
+    laz[points_at..points_at + 8].fill(0xff);
+    laz[length - 8..].fill(0xff);
+    assert!(error(&laz, "table.laz").contains("a chunk table at byte 18446744073709551615"));
+}
