@@ -6,6 +6,8 @@ mod copc;
 mod e57;
 #[path = "../../crates/io/tests/common/las.rs"]
 mod las;
+#[path = "../../crates/io/tests/common/parquet.rs"]
+mod parquet;
 #[path = "../../crates/io/tests/common/seeds.rs"]
 mod seeds;
 

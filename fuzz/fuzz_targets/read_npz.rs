@@ -1,2 +1,4 @@
 #![no_main]
-libfuzzer_sys::fuzz_target!(|data: &[u8]| lineament_fuzz::reads(Some(lineament_io::Format::Npz), data));
+use lineament_fuzz::{reads, with_entry_checksums};
+
+libfuzzer_sys::fuzz_target!(|data: &[u8]| reads(Some(lineament_io::Format::Npz), &with_entry_checksums(data)));

@@ -11,7 +11,7 @@ const USAGE: &str = "\
 Usage: cargo xtask TASK
 
   test [ARGS...]  run all tests; ARGS go to `cargo test`
-  rivals          compare with other programs, which are installed in out/venv with pip
+  rivals          compare with other programs, which pip and npm install in out; a browser, if there is none, apt
   man             write the manual pages to out/man";
 
 fn main() -> ExitCode {

@@ -1,15 +1,23 @@
-//! Comparisons with other people's programs: what they read of the same files, and whether they open what is written.
+//! Comparisons with other people's programs: what they read of the same files, what they write that we read, and whether
+//! they open what is written.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::{cargo, root};
 
 /// What is compared with.
-const PACKAGES: [&str; 10] =
-    ["numpy", "laspy", "lazrs", "plyfile", "pye57", "ezdxf", "fiona", "trimesh", "pyvista", "pyarrow"];
+const PACKAGES: [&str; 14] = [
+    "numpy", "laspy", "lazrs", "plyfile", "pye57", "pypcd4", "ezdxf", "fiona", "trimesh", "pyvista",
+    "pyarrow", "pandas", "duckdb", "pillow",
+];
+/// What draws and checks GLB.
+const MODULES: [&str; 2] = ["three", "gltf-validator"];
+/// Browsers by the names they go by.
+const BROWSERS: [&str; 5] =
+    ["chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "chrome"];
 
-/// Installs the programs in a virtual environment in `out/venv`, once, and runs the tests that use them.
+/// Installs the programs in `out/venv` and `out/node`, once, and runs the tests that use them.
 pub fn run() -> Result<(), String> {
     let venv = root().join("out").join("venv");
     let python = venv.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
@@ -17,23 +25,55 @@ pub fn run() -> Result<(), String> {
         succeed(Command::new("python3").args(["-m", "venv"]).arg(&venv))?;
     }
     for package in PACKAGES {
-        if let Err(message) =
-            succeed(Command::new(&python).args(["-m", "pip", "install", "--quiet", package]))
-        {
-            println!("{package} cannot be installed, and is skipped: {message}");
-        }
+        or_skip(package, Command::new(&python).args(["-m", "pip", "install", "--quiet", package]));
     }
-    compare(&python)
+    compare(&python, modules().as_deref(), browser().as_deref())
 }
 
-fn compare(python: &Path) -> Result<(), String> {
+/// The folder of the node modules, if npm can install them.
+fn modules() -> Option<PathBuf> {
+    let folder = root().join("out").join("node");
+    std::fs::create_dir_all(&folder).ok()?;
+    let npm = if cfg!(windows) { "npm.cmd" } else { "npm" };
+    let mut install = Command::new(npm);
+    install.args(["install", "--silent", "--no-save", "--prefix"]).arg(&folder).args(MODULES);
+    or_skip("three.js", &mut install).then(|| folder.join("node_modules"))
+}
+
+/// A browser that is there, or that Debian's package manager installs where it may.
+fn browser() -> Option<PathBuf> {
+    if let Some(named) = std::env::var_os("LINEAMENT_BROWSER") {
+        return Some(named.into());
+    }
+    let found = || {
+        let paths = std::env::var_os("PATH")?;
+        std::env::split_paths(&paths)
+            .flat_map(|p| BROWSERS.map(|name| p.join(name)))
+            .find(|path| path.is_file())
+    };
+    found().or_else(|| {
+        let mut install = Command::new("apt-get");
+        install.args(["install", "--yes", "--no-install-recommends", BROWSERS[0]]);
+        or_skip("a browser", &mut install);
+        found()
+    })
+}
+
+fn compare(python: &Path, modules: Option<&Path>, browser: Option<&Path>) -> Result<(), String> {
     // The tests run example programs, which cargo builds only where no test is named.
     let mut build = cargo();
     succeed(build.args(["test", "--locked", "--package", "lineament-io", "--no-run"]))?;
     let mut tests = cargo();
     tests.args(["test", "--locked", "--package", "lineament-io", "in_other_programs", "--"]);
     tests.args(["--nocapture", "--test-threads=1"]).env("LINEAMENT_PYTHON", python);
+    let found = [("LINEAMENT_NODE", modules), ("LINEAMENT_BROWSER", browser)];
+    tests.envs(found.into_iter().filter_map(|(name, path)| Some((name, path?))));
     succeed(&mut tests)
+}
+
+/// Whether a command that installs something worked; says that it is skipped if not.
+fn or_skip(what: &str, command: &mut Command) -> bool {
+    succeed(command).inspect_err(|why| println!("{what} cannot be installed, and is skipped: {why}")).is_ok()
 }
 
 fn succeed(command: &mut Command) -> Result<(), String> {

@@ -21,7 +21,12 @@ pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> 
 
 /// What was read.
 pub fn points(input: &Input, report: &Report) -> String {
-    let [read, dropped, merged] = [report.read, report.dropped, report.merged].map(grouped);
+    read(input, [report.read, report.dropped, report.merged])
+}
+
+/// How many points were read, how many of them are not finite, and how many repeat another one.
+pub fn read(input: &Input, counts: [usize; 3]) -> String {
+    let [read, dropped, merged] = counts.map(grouped);
     format!("{}: {read} points read, {dropped} not finite, {merged} duplicates", input.name)
 }
 

@@ -47,6 +47,24 @@ fn one_bad_file_leaves_the_others_results_and_exit_code_1() {
 }
 
 #[test]
+fn one_bad_file_among_a_hundred_leaves_99_right_outputs() {
+    let sandbox = sandbox();
+    let names: Vec<String> = (0..100).map(|i| format!("in/{i:02}.xyz")).collect();
+    names.iter().for_each(|name| sandbox.write_points(name, &cube()));
+    sandbox.write(&names[41], "1 2 3\n4 5\n");
+    let mut args = vec!["extract"];
+    args.extend(names.iter().map(String::as_str));
+    args.extend(["-o", "{stem}.obj"]);
+    sandbox.run(&["extract", "in/a.xyz", "-o", "right.obj"]).expect(0);
+    sandbox.run(&args).expect(1).says(&["1 of 100 inputs failed", "in/41.xyz", "failed (input)"]);
+    let right = sandbox.read("right.obj");
+    for i in 0..100 {
+        let path = sandbox.path(&format!("{i:02}.obj"));
+        assert_eq!(std::fs::read(path).ok(), (i != 41).then(|| right.clone()), "{i}");
+    }
+}
+
+#[test]
 fn results_of_many_are_those_of_each() {
     let sandbox = sandbox();
     sandbox.run(&["extract", "in/a.xyz", "in/c.txt", "-o", "{stem}.json"]).expect(0);

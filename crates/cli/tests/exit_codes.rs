@@ -176,3 +176,22 @@ fn a_file_that_ends_early_is_3_and_salvage_reads_what_is_whole_of_it() {
         "12 creases",
     ]);
 }
+
+#[test]
+fn every_command_counts_points_that_are_not_finite_or_repeated_and_strict_refuses_the_first() {
+    let sandbox = Sandbox::new();
+    let points = [cube(), cube()[..3].to_vec()].concat();
+    sandbox.write("odd.xyz", common::table(&points) + "nan 0 0\n0 inf 0\n");
+    let commands: [&[&str]; 5] = [
+        &["extract", "odd.xyz", "-o", "a.json"],
+        &["classify", "odd.xyz", "-o", "a.npy"],
+        &["patches", "odd.xyz", "-o", "a.json"],
+        &["section", "odd.xyz", "--at=0.1", "-o", "b.json"],
+        &["slices", "odd.xyz", "--count", "2", "-o", "out"],
+    ];
+    for args in commands {
+        sandbox.run(args).expect(0).says(&["391 points read, 2 not finite, 3 duplicates"]);
+        let refused = sandbox.run(&[args, &["--strict"]].concat()).expect(4);
+        refused.says(&["odd.xyz", "point 389 is not finite", "2 in all"]);
+    }
+}

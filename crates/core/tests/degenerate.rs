@@ -6,15 +6,22 @@ use std::time::{Duration, Instant};
 
 use common::{checked, cloud};
 use lineament::shapes::{Rng, Sampling, Scan, cube_386, sphere};
-use lineament::{Error, Extraction, NodeKind, Params};
+use lineament::{Error, Extraction, Method, NodeKind, Params};
 
 const SOON: Duration = Duration::from_secs(5);
 
 type Points = Vec<[f64; 3]>;
 
-/// The result in either form of the penalties, the robust one first.
+/// The result in either form of the penalties, the robust one first. The other methods give a valid network or a refusal
+/// as soon.
 #[track_caller]
 fn both(name: &str, points: &[[f64; 3]]) -> [Result<Extraction, Error>; 2] {
+    for method in [Method::Projection, Method::Segments] {
+        let start = Instant::now();
+        let result = checked(&cloud(points), &Params { method, ..Params::default() });
+        assert!(start.elapsed() < SOON, "{name}, {method:?}: {:?}", start.elapsed());
+        assert!(!matches!(result, Err(Error::Parameter { .. })), "{name}, {method:?}: {result:?}");
+    }
     ["robust", "paper"].map(|form| {
         let mut params = Params::default();
         params.set("penalty.form", form).unwrap();
@@ -182,5 +189,19 @@ fn lines_below_the_resolution_of_far_coordinates_are_left_out() {
     let points: Points = ladder.chain(far).collect();
     for result in both("heights from 1e-300 to 1e-65 among points 1 apart", &points).into_iter().flatten() {
         assert!(result.network.nodes.iter().all(|node| node.degree > 0));
+    }
+}
+
+/// Most points lie in a knot 300 orders of magnitude smaller than the rest, and so does the spacing.
+#[test]
+fn points_of_two_scales_give_a_network_or_a_refusal_by_every_method() {
+    let knot = (0..40).map(|i| [i % 8, i % 7, i].map(|c| f64::from(c) * 1e-314));
+    let rest = (0..20).map(|i| [f64::from(i) * 0.5, f64::from(i % 7), f64::from(i % 3) * 0.25]);
+    let points: Points = knot.chain(rest).collect();
+    for method in [Method::Penalty, Method::Projection, Method::Segments] {
+        let params = Params { method, ..Params::default() };
+        let start = Instant::now();
+        let _ = checked(&cloud(&points), &params);
+        assert!(start.elapsed() < SOON, "{method:?}: {:?}", start.elapsed());
     }
 }

@@ -176,6 +176,11 @@ pub(crate) fn truncate(column: &mut Column, length: usize) {
     each_column!(column, values => values.truncate(length));
 }
 
+/// Values that a column has room for.
+pub(crate) fn capacity(column: &Column) -> usize {
+    each_column!(column, values => values.capacity())
+}
+
 /// A number of fixed size in a file.
 pub(crate) trait Number: Copy {
     /// From little or big endian bytes; 0 if they are too few.

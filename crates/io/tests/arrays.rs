@@ -1,7 +1,10 @@
 //! NPZ and Parquet: columns with names, written and read.
 
 mod common;
+use ::parquet::basic::Compression;
+use ::parquet::file::properties::WriterVersion;
 use common::from_bytes;
+use common::parquet::{MIX, codecs, file};
 use lineament::{Attribute, Cloud, Column};
 use lineament_io::{Format, PointFormat, PointTable, ReadOptions, Scan, write_points_to};
 
@@ -54,6 +57,34 @@ fn positions_and_attributes_of_every_type_come_back_bit_for_bit() {
         }
         assert_eq!(attributes[11].name, "input_class");
     }
+}
+
+#[test]
+fn parquet_of_every_codec_page_version_and_encoding_reads_the_same() {
+    for codec in codecs() {
+        for version in [WriterVersion::PARQUET_1_0, WriterVersion::PARQUET_2_0] {
+            for dictionary in [false, true] {
+                let scan = read(&file(codec, version, dictionary, 2000));
+                let mixed = f64::from_bits(1999u64.wrapping_mul(MIX) >> 2);
+                assert_eq!(scan.cloud.positions[1999], [49.0, mixed, 12.25], "{codec} {version:?}");
+                let Column::F64(values) = &scan.cloud.attributes[0].values else { panic!("no f64") };
+                // Without a sign, as the schema says, even where nulls make doubles of integers.
+                assert_eq!((values[1], values[1999]), (4_294_967_295.0, 998.0), "{codec} {version:?}");
+                assert!(values.iter().step_by(2).all(|value| value.is_nan()));
+            }
+        }
+    }
+}
+
+#[test]
+fn parquet_that_unpacks_beyond_the_bound_is_refused_and_read_with_a_wider_one() {
+    let bytes = file(Compression::ZSTD(Default::default()), WriterVersion::PARQUET_2_0, true, 1_000_000);
+    assert!(bytes.len() < 12 << 20, "{}", bytes.len());
+    let narrow = ReadOptions { memory: Some(16 << 20), ..ReadOptions::default() };
+    let error = from_bytes(&bytes, "large.parquet", &narrow).unwrap_err().to_string();
+    assert!(error.contains("--memory") && error.contains("byte "), "{error}");
+    let wide = ReadOptions { memory: Some(1 << 30), ..ReadOptions::default() };
+    assert_eq!(from_bytes(&bytes, "large.parquet", &wide).unwrap().cloud.len(), 1_000_000);
 }
 
 #[test]
@@ -143,5 +174,32 @@ fn points_of_an_archive_are_found_by_name_by_shape_or_as_three_arrays() {
     for bytes in &cases {
         let error = from_bytes(bytes, "odd.npz", &ReadOptions::default()).unwrap_err().to_string();
         assert!(error.contains("byte "), "{error}");
+    }
+}
+
+/// More rows than a row group, and more numbers than go out at a time.
+#[test]
+fn a_large_cloud_is_written_in_parts_none_of_which_is_the_whole() {
+    struct Largest(usize, Vec<u8>);
+    impl std::io::Write for Largest {
+        fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+            self.0 = self.0.max(bytes.len());
+            self.1.write(bytes)
+        }
+        fn flush(&mut self) -> std::io::Result<()> {
+            Ok(())
+        }
+    }
+    let count = (1 << 20) + 5000;
+    let cloud = Cloud::new((0..count).map(|i| [f64::from(i).sqrt(), f64::from(i % 77), 0.5]).collect());
+    let classes: Vec<u8> = (0..count).map(|i| i as u8 % 4).collect();
+    let table = PointTable { cloud: &cloud, classes: &classes, scores: &[], las: None };
+    for format in [PointFormat::Npz, PointFormat::Parquet] {
+        let mut out = Largest(0, Vec::new());
+        write_points_to(&mut out, format, &table).unwrap();
+        let Largest(largest, bytes) = out;
+        assert!(largest < bytes.len(), "{format}: {largest} of {} bytes at once", bytes.len());
+        let scan = from_bytes(&bytes, "large", &ReadOptions { memory: Some(1 << 30), ..Default::default() });
+        assert_eq!(scan.unwrap().cloud.positions, cloud.positions, "{format}");
     }
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares what the readers give with what laspy, pye57, plyfile, numpy, trimesh and an own PCD decoder read.
+"""Compares what the readers give with what laspy, pye57, plyfile, pypcd4, numpy and trimesh read.
 
     compare.py POSITIONS FILE...
 
@@ -22,7 +22,7 @@ def rows(path):
     if name.endswith(".ply"):
         return "plyfile", lambda m: np.stack([m.PlyData.read(path)["vertex"][a] for a in "xyz"], 1)
     if name.endswith(".pcd"):
-        return "numpy", lambda m: pcd(path)
+        return "pypcd4", lambda m: m.PointCloud.from_path(path).numpy(("x", "y", "z"))
     if name.endswith((".obj", ".off", ".stl")):
         return "trimesh", lambda m: m.load(path, process=False, maintain_order=True).vertices
     if name.endswith(".npy"):
@@ -51,46 +51,6 @@ def expe(path):
     return np.frombuffer(body, np.uint8).reshape(-1, sum(sizes))[:, :12].copy().view("<f4")
 
 
-def pcd(path):
-    """The header and the columns by the documentation of the format, with a plain decoder of LZF."""
-    data = open(path, "rb").read()
-    at = data.index(b"\nDATA ") + 1
-    end = data.index(b"\n", at) + 1
-    header = {w[0]: w[1:] for w in (l.split() for l in data[:end].decode().splitlines()) if w and w[0][0] != "#"}
-    count, kind = int(header["POINTS"][0]), header["DATA"][0]
-    if kind == "ascii":
-        return np.loadtxt(data[end:].decode().splitlines(), ndmin=2)[:, :3]
-    types = [t.lower() + s for t, s in zip(header["TYPE"], header["SIZE"])]
-    if kind == "binary":
-        return np.frombuffer(data[end:], np.dtype(list(zip(header["FIELDS"], types))), count)[["x", "y", "z"]]
-    packed, size = np.frombuffer(data[end:end + 8], "<u4")
-    body = lzf(data[end + 8:end + 8 + packed])
-    assert len(body) == size
-    columns, offset = {}, 0
-    for field, kind, length in zip(header["FIELDS"], types, header["SIZE"]):
-        columns[field] = np.frombuffer(body, kind, count, offset)
-        offset += int(length) * count
-    return np.stack([columns[axis] for axis in "xyz"], 1)
-
-
-def lzf(data):
-    out, i = bytearray(), 0
-    while i < len(data):
-        control, i = data[i], i + 1
-        if control < 32:
-            out += data[i:i + control + 1]
-            i += control + 1
-            continue
-        length = control >> 5
-        if length == 7:
-            length, i = length + data[i], i + 1
-        start = len(out) - ((control & 31) << 8) - data[i] - 1
-        i += 1
-        for k in range(length + 2):
-            out.append(out[start + k])
-    return out
-
-
 def compare(program, path):
     with tempfile.TemporaryDirectory() as folder:
         out = os.path.join(folder, "positions.f64")
@@ -109,8 +69,11 @@ def compare(program, path):
     same = np.array_equal(ours, theirs, equal_nan=True)
     # A scale and an offset may be applied in another order: a rounding of the last digit.
     close = same or np.allclose(ours, theirs, rtol=4e-16, atol=1e-12, equal_nan=True)
-    # Decimals of an ascii PLY are kept as they are written; plyfile rounds them to the float of the header.
-    if module == "plyfile" and b"format ascii" in open(path, "rb").read(64):
+    # Decimals in text are kept as they are written; plyfile and pypcd4 round them to the float of the header.
+    with open(path, "rb") as file:
+        start = file.read(1 << 10)
+    text = b"format ascii" in start or b"DATA ascii" in start
+    if module in ("plyfile", "pypcd4") and text:
         close = np.array_equal(ours.astype("<f4"), theirs.astype("<f4"), equal_nan=True)
     return f"{len(ours)} points as {module}, " + ("every bit" if same else f"to {difference:.1e}"), close
 

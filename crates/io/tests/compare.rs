@@ -1,9 +1,12 @@
 //! Comparisons with other people's programs: `cargo xtask rivals` installs them and runs these tests. By themselves they
-//! need `LINEAMENT_PYTHON`, a Python with laspy, lazrs, pye57, plyfile, trimesh, ezdxf, pyvista, pyarrow and fiona, any of
-//! which may be missing.
+//! need `LINEAMENT_PYTHON`, a Python with laspy, lazrs, pye57, plyfile, pypcd4, trimesh, ezdxf, pyvista, pyarrow, pandas,
+//! duckdb and fiona, any of which may be missing; for pictures a browser, `LINEAMENT_BROWSER`, and a folder of node modules,
+//! `LINEAMENT_NODE`.
 
 mod common;
 use common::{example, shared};
+use lineament::{Network, Node, NodeKind};
+use lineament_io::write_network;
 use std::path::Path;
 use std::process::Command;
 
@@ -42,10 +45,20 @@ fn points_are_the_same_in_other_programs() {
 fn written_networks_open_in_other_programs() {
     let Some(writer) = example("network") else { return };
     let folder = tempfile::tempdir().unwrap();
-    let outputs = ["dxf", "ply", "glb", "vtp", "geojson", "gpkg", "obj", "svg"]
+    let outputs = ["dxf", "ply", "glb", "vtp", "geojson", "gpkg", "obj", "svg", "csv"]
         .map(|e| folder.path().join(format!("a.{e}")));
     assert!(Command::new(writer).args(&outputs).status().unwrap().success());
     script("opens.py", &[folder.path()]);
+    let node = Node { position: [1.0, 2.0, 3.0], kind: NodeKind::Apex, degree: 0, source: 0 };
+    let loose = Network { nodes: vec![node], strips: Vec::new() };
+    write_network(&folder.path().join("empty.glb"), &[], &loose, &Default::default()).unwrap();
+    script("browser.py", &[folder.path()]);
+}
+
+#[test]
+fn files_written_in_other_programs_read_as_they_were() {
+    let Some(reader) = example("positions") else { return };
+    script("foreign.py", &[&reader]);
 }
 
 #[test]
@@ -58,7 +71,7 @@ fn written_points_open_in_other_programs() {
     cloud.attributes.push(Attribute { name: "intensity".into(), values: Column::U16((0..500).collect()) });
     let classes: Vec<u8> = (0..500u32).map(|i| (i % 4) as u8).collect();
     let table = PointTable { cloud: &cloud, classes: &classes, scores: &[0.5; 500], las: None };
-    for extension in ["las", "laz", "ply", "npz", "parquet", "csv", "npy"] {
+    for extension in ["las", "laz", "ply", "pcd", "npz", "parquet", "csv", "npy"] {
         write_points(&folder.path().join(format!("points.{extension}")), &[], &table).unwrap();
     }
     let bytes: Vec<u8> = cloud.positions.iter().flatten().flat_map(|c| c.to_le_bytes()).collect();

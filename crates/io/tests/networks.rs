@@ -2,6 +2,7 @@
 
 mod common;
 use common::network;
+use lineament::Network;
 use lineament_io::{
     Error, NetworkContext, NetworkFormat, Parameter, network_format, write_network, write_network_to,
 };
@@ -320,6 +321,20 @@ fn vtp_and_csv_have_every_point() {
     let scan = common::from_bytes(csv.as_bytes(), "lines.csv", &Default::default()).unwrap();
     let points: Vec<[f64; 3]> = network().strips.iter().flat_map(|s| s.points.clone()).collect();
     assert_eq!(scan.cloud.positions, points);
+}
+
+#[test]
+fn glb_without_lines_is_a_scene_with_an_empty_node() {
+    let mut loose = network();
+    loose.strips.clear();
+    for network in [Network::default(), loose] {
+        let mut bytes = Vec::new();
+        write_network_to(&mut bytes, NetworkFormat::Glb, &network, &context()).unwrap();
+        let (json, binary) = glb_parts(&bytes);
+        // The format forbids empty lists, and bytes that no buffer claims.
+        assert_eq!(json["scenes"][0]["nodes"], serde_json::json!([0]));
+        assert_eq!((json["nodes"].as_array().unwrap().len(), binary.len()), (1, 0));
+    }
 }
 
 #[test]

@@ -85,6 +85,12 @@ def points_ply(plyfile, path):
     return same(np.stack([vertex[a] for a in "xyz"], 1), path)
 
 
+def pcd(pypcd4, path):
+    cloud = pypcd4.PointCloud.from_path(path)
+    good, text = same(cloud.numpy(("x", "y", "z")), path)
+    return good and cloud.numpy(("intensity",))[5] == 5, f"{text}, {cloud.fields}"
+
+
 def npz(numpy, path):
     file = numpy.load(path)
     good, text = same(file["xyz"], path)
@@ -108,7 +114,7 @@ def classes(numpy, path):
 CHECKS = [("a.dxf", "ezdxf", dxf), ("a.ply", "plyfile", ply), ("a.glb", "trimesh", glb), ("a.vtp", "pyvista", vtp),
           ("a.geojson", "fiona", geojson), ("a.gpkg", "fiona", gpkg), ("a.gpkg", "sqlite3", database),
           ("a.obj", "trimesh", obj), ("a.svg", "json", svg), ("points.las", "laspy", las), ("points.laz", "laspy", las),
-          ("points.ply", "plyfile", points_ply), ("points.npz", "numpy", npz),
+          ("points.ply", "plyfile", points_ply), ("points.pcd", "pypcd4", pcd), ("points.npz", "numpy", npz),
           ("points.parquet", "pyarrow.parquet", parquet), ("points.csv", "numpy", csv), ("points.npy", "numpy", classes)]
 
 

@@ -17,3 +17,21 @@ fn every_seed_reads_whole() {
         }
     }
 }
+
+/// Formats whose memory does not follow from their bytes: the bound on it can be raised, and what goes beyond names it.
+#[test]
+fn an_error_of_the_bound_on_memory_names_the_option_that_raises_it() {
+    let narrow = ReadOptions { memory: Some(16), ..ReadOptions::default() };
+    let mut bounded = Vec::new();
+    for (name, bytes) in seeds() {
+        if let Err(error) = from_bytes(&bytes, &name, &narrow) {
+            assert!(error.to_string().contains("--memory"), "{error}");
+            let wide = ReadOptions { memory: Some(1 << 30), ..ReadOptions::default() };
+            assert!(!from_bytes(&bytes, &name, &wide).unwrap().cloud.is_empty(), "{name}");
+            bounded.push(name);
+        }
+    }
+    for extension in ["npz", "parquet", "pcd", "laz", "glb", "e57"] {
+        assert!(bounded.iter().any(|name| name.ends_with(extension)), "{extension}: {bounded:?}");
+    }
+}

@@ -128,10 +128,9 @@ fn row(input: &Input, sections: &Sections, start: Instant) -> Vec<String> {
 }
 
 fn said(running: &Running, input: &Input, sections: &Sections, stack: &Stack) -> Vec<String> {
-    let points = summary::plural(input.cloud.len(), "point");
+    let points = summary::read(input, [input.cloud.len(), sections.dropped, sections.merged]);
     let spacing = summary::figure(sections.spacing);
-    let mut lines =
-        vec![format!("{}: {points}, spacing {spacing}, noise {:.2} spacings", input.name, sections.noise)];
+    let mut lines = vec![points, format!("spacing {spacing}, noise {:.2} spacings", sections.noise)];
     lines.extend(input.missing.iter().map(|missing| format!("warning: {missing}")));
     let slices = summary::plural(sections.sections.len(), "slice");
     let contours = summary::plural(sections.contours().count(), "contour");

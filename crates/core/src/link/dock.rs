@@ -13,6 +13,8 @@ const REACH: [(f64, f64); 3] = [(2.0, 100.0), (4.0, 60.0), (6.0, 35.0)];
 const TANGENT: f64 = 4.0;
 /// Greatest length of a border's edge near a loose end, spacings.
 const STEP: f64 = 1.0;
+/// Pieces of an edge at the most: only points of two scales make edges of so many spacings.
+const PIECES: f64 = 256.0;
 /// A node of the border that is no farther than this from where a crease would meet it is where it does, spacings.
 const SAME_NODE: f64 = 2.0;
 
@@ -56,7 +58,7 @@ fn refine(border: &mut LineGraph, ends: Vec<[f64; 3]>, h: f64) {
             let [from, to] = [a, b].map(|v| border.positions[v as usize]);
             let length = distance(from, to);
             index.within(scale(add(from, to), 0.5), 0.5 * length + REACH[2].0 * h, &mut found);
-            let pieces = (length / (STEP * h)).ceil() as u32;
+            let pieces = (length / (STEP * h)).ceil().min(PIECES) as u32;
             if pieces > 1 && !found.is_empty() {
                 border.subdivide(a, b, pieces);
             }
@@ -110,4 +112,29 @@ fn meet(crease: &mut LineGraph, border: &mut LineGraph, end: u32, target: u32) {
         crease.add_edge(end, vertex);
     }
     border.nodes.push(target);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_edge_of_any_number_of_spacings_is_cut_into_a_bounded_number_of_pieces() {
+        for spacing in [1e-310, 1e-9, 0.3] {
+            let mut border = LineGraph {
+                points: vec![0, 1],
+                positions: vec![[0.0; 3], [1.0, 0.0, 0.0]],
+                penalty: vec![0.0; 2],
+                corner: vec![0.0; 2],
+                evidence: vec![0.0; 2],
+                expected: vec![0.0; 2],
+                fold: vec![0.0; 2],
+                edges: vec![vec![1], vec![0]],
+                nodes: Vec::new(),
+            };
+            refine(&mut border, vec![[0.5, 0.0, 0.0]], spacing);
+            let pieces = (1.0 / spacing).ceil().min(PIECES) as usize;
+            assert_eq!(border.edge_count(), pieces, "{spacing:e}");
+        }
+    }
 }

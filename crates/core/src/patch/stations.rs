@@ -9,6 +9,9 @@ use crate::resolution::Resolution;
 
 /// Greatest distance between stations, spacings.
 const STEP: f64 = 0.6;
+/// Stations for each point of a strip beyond which they lie farther apart: points of two scales can make a strip of any number
+/// of spacings.
+const A_POINT: f64 = 16.0;
 
 /// A place on a strip.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,14 +81,19 @@ fn append(all: &mut Vec<Station>, number: u32, strip: &Strip, step: f64) {
     }
 }
 
-/// The points of a strip, the closing segment of a loop included, none farther than `step` from the next.
+/// The points of a strip, the closing segment of a loop included, none farther than `step` from the next where
+/// [`A_POINT`] allows it.
 fn places(strip: &Strip, step: f64) -> Vec<[f64; 3]> {
     let mut places = Vec::with_capacity(strip.points.len());
     let count = strip.points.len();
     let segments = if strip.closed { count } else { count.saturating_sub(1) };
+    let ends = |i: usize| (strip.points[i], strip.points[(i + 1) % count]);
+    let length: f64 = (0..segments).map(ends).map(|(a, b)| norm(sub(b, a))).sum();
+    let most = A_POINT * count as f64;
+    let step = step.max(length / most);
     for i in 0..segments {
-        let (a, b) = (strip.points[i], strip.points[(i + 1) % count]);
-        let pieces = (norm(sub(b, a)) / step).ceil().clamp(1.0, 4096.0) as usize;
+        let (a, b) = ends(i);
+        let pieces = (norm(sub(b, a)) / step).ceil().clamp(1.0, most) as usize;
         places.extend((0..pieces).map(|p| add_scaled(a, sub(b, a), p as f64 / pieces as f64)));
     }
     if !strip.closed {
@@ -116,5 +124,32 @@ fn reflected(from: &Station, to: [f64; 3], tangent: [f64; 3]) -> [[f64; 3]; 2] {
         [side, cross(tangent, side)]
     } else {
         start(tangent)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_strip_of_any_number_of_spacings_has_a_bounded_number_of_stations() {
+        let strip = Strip {
+            kind: StripKind::Border,
+            closed: true,
+            start: None,
+            end: None,
+            points: (0..100).map(|i| [f64::from(i), f64::from(i % 3), 0.0]).collect(),
+            curve: Default::default(),
+            sources: Vec::new(),
+            deviation: 0.0,
+            fold_deg: None,
+            evidence: 0.0,
+            confidence: 1.0,
+        };
+        for step in [1e-310, 1e-100, 1e-3] {
+            let count = places(&strip, step).len();
+            assert!((1600..1800).contains(&count), "{step:e}: {count}");
+        }
+        assert_eq!(places(&strip, 1e3).len(), 100);
     }
 }

@@ -17,6 +17,10 @@ pub struct Sections {
     pub spacing: f64,
     /// Estimated standard deviation of the points from the surface, in spacings.
     pub noise: f64,
+    /// Points with a coordinate that is not finite, which are left out.
+    pub dropped: usize,
+    /// Points that repeat another one exactly, which are left out.
+    pub merged: usize,
     /// One for each plane, in that order.
     pub sections: Vec<Section>,
 }

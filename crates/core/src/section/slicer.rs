@@ -186,6 +186,8 @@ impl<'a> Slicer<'a> {
             heights,
             spacing: self.texture.spacing * self.scale,
             noise: self.texture.noise,
+            dropped: self.local.dropped,
+            merged: self.local.merged,
             sections,
         }
     }

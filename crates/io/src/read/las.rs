@@ -8,7 +8,7 @@ mod laz;
 pub(crate) mod points;
 mod records;
 
-use super::rows::{Table, room};
+use super::rows::{Grid, Table, room};
 use super::{Decoded, ReadOptions};
 use crate::columns::Endian;
 use crate::error::Error;
@@ -27,7 +27,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     let frame = records::read(source, &header)?;
     let mut out = Decoded::default();
     let dimensions = points::dimensions(source, &header, &frame)?;
-    let mut table = table(&dimensions, options);
+    let mut table = table(&header, &dimensions, options);
     let fields: Vec<_> = dimensions.iter().map(|d| d.field).collect();
     let rows = if header.compressed {
         let taken = laz::read(source, &header, &frame, options, &fields, &mut table)?;
@@ -47,10 +47,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         let passed = rows - table.positions.len() as u64;
         out.cut(source, options, "points", header.points - passed, rows - passed)?;
     }
-    for point in &mut table.positions {
-        *point = std::array::from_fn(|axis| point[axis] * header.scale[axis] + header.offset[axis]);
-    }
-    note_bounds(&header, &table.positions, &mut out);
+    note_bounds(&table, &mut out);
     points::finish(&mut table, &dimensions);
     out.cloud = table.into_cloud();
     note(&header, &frame, options, &mut out);
@@ -59,10 +56,15 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     Ok(out)
 }
 
-fn table(dimensions: &[Dimension], options: &ReadOptions) -> Table {
+fn table(header: &Header, dimensions: &[Dimension], options: &ReadOptions) -> Table {
     let kept = dimensions.iter().enumerate().skip(3).filter(|_| options.attributes);
     let attributes = kept.map(|(index, d)| (index, d.name.clone(), d.field.kind)).collect();
-    Table::new([0, 1, 2], attributes, 0)
+    let Header { scale, offset, bounds: (low, high), .. } = *header;
+    // A step of the grid beyond the bounds is rounding.
+    let bounds =
+        [std::array::from_fn(|a| low[a] - scale[a].abs()), std::array::from_fn(|a| high[a] + scale[a].abs())];
+    let grid = Some(Grid { scale, offset, bounds, outside: 0 });
+    Table { grid, ..Table::new([0, 1, 2], attributes, 0) }
 }
 
 fn skip_to_points(source: &mut Source, header: &Header) -> Result<(), Error> {
@@ -74,12 +76,8 @@ fn skip_to_points(source: &mut Source, header: &Header) -> Result<(), Error> {
 }
 
 /// Says how many points lie outside the bounds that the header states: a decoder cannot notice all damage.
-fn note_bounds(header: &Header, positions: &[[f64; 3]], out: &mut Decoded) {
-    let (low, high) = header.bounds;
-    let inside = |p: &&[f64; 3]| {
-        (0..3).all(|a| p[a] >= low[a] - header.scale[a].abs() && p[a] <= high[a] + header.scale[a].abs())
-    };
-    let outside = positions.len() - positions.iter().filter(inside).count();
+fn note_bounds(table: &Table, out: &mut Decoded) {
+    let outside = table.grid.as_ref().map_or(0, |grid| grid.outside);
     if outside > 0 {
         out.ignored.push(format!("the bounds in the header: {outside} points lie outside them"));
     }

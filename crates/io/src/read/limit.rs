@@ -21,8 +21,13 @@ pub(super) fn check(source: &Source, options: &ReadOptions, rows: u64, bytes: us
     if needed <= bound {
         return Ok(());
     }
-    let found = format!("{rows} points unpack to {needed} bytes, beyond the bound of {bound}");
-    let advice = "the input may be damaged; if it is whole, raise the bound with --memory";
     // The claim stands in a header; where reading has got to says nothing.
-    Err(source.fault(Place::Byte(0), found, advice))
+    Err(beyond(source, options, 0, &format!("{rows} points that unpack to {needed} bytes")))
+}
+
+/// The error for something at a place that takes more memory than the bound, which it names.
+pub(super) fn beyond(source: &Source, options: &ReadOptions, at: u64, what: &str) -> Error {
+    let found = format!("{what}, beyond the bound of {}", bound(source, options));
+    let advice = "the input may be damaged; if it is whole, raise the bound with --memory";
+    source.fault(Place::Byte(at), found, advice)
 }

@@ -9,8 +9,8 @@ use crate::source::{Shared, Source};
 use crate::zip::{self, Entry};
 use lineament::{Attribute, Cloud, Column};
 
-/// Arrays beyond which an archive is refused.
-const MOST: usize = 4096;
+/// Share of the bound on memory that an array stands for: its stream is opened with buffers of its own.
+const ARRAY: u64 = 1 << 14;
 /// Names that arrays of points have by custom; the only array with three columns is taken under any name.
 const POINTS: [&str; 8] = ["points", "xyz", "positions", "pos", "coords", "coordinates", "vertices", "pc"];
 
@@ -29,7 +29,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     let archive = source.seekable()?;
     let archive = Shared::new(archive).map_err(|e| source.io(e))?;
     let mut out = Decoded::default();
-    let arrays = headers(source, &archive, &mut out)?;
+    let arrays = headers(source, options, &archive, &mut out)?;
     let axes = axes(source, &arrays)?;
     let rows = arrays[axes[0].0].header.rows;
     let (kept, other): (Vec<_>, Vec<_>) = arrays.into_iter().enumerate().partition(|(index, array)| {
@@ -52,11 +52,15 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
 }
 
 /// The headers of all arrays; what is no array of numbers is noted.
-fn headers(source: &Source, archive: &Shared, out: &mut Decoded) -> Result<Vec<Array>, Error> {
+fn headers(
+    source: &Source,
+    options: &ReadOptions,
+    archive: &Shared,
+    out: &mut Decoded,
+) -> Result<Vec<Array>, Error> {
     let entries = zip::entries(source, archive)?;
-    if entries.len() > MOST {
-        let found = format!("an archive of {} entries", entries.len());
-        return Err(source.fault(Place::Byte(0), found, format!("at most {MOST} are read")));
+    if entries.len() as u64 * ARRAY > limit::bound(source, options) {
+        return Err(limit::beyond(source, options, 0, &format!("an archive of {} entries", entries.len())));
     }
     let mut arrays = Vec::new();
     for entry in entries {

@@ -3,9 +3,10 @@
 
 mod pages;
 mod schema;
+mod unpack;
 
 use super::{Decoded, ReadOptions, limit};
-use crate::columns::get;
+use crate::columns::{Scalar, get};
 use crate::error::{Error, Place};
 use crate::quiet;
 use crate::source::{Shared, Source, Window};
@@ -22,6 +23,8 @@ use std::io::BufReader;
 pub(crate) const MAGIC: &[u8] = b"PAR1";
 /// Memory that a byte of metadata may take once it is decoded.
 const METADATA: u64 = 200;
+/// Bytes that a row takes for a while: a coordinate, or an integer until it is a double.
+const TRANSIENT: usize = 8;
 /// Values that are decoded at a time.
 const BATCH: usize = 1 << 14;
 
@@ -60,7 +63,7 @@ fn fault(source: &Source, at: u64, found: String) -> Error {
     source.fault(Place::Byte(at), found, "the file is cut or damaged; get it anew")
 }
 
-/// The length of the metadata at the end, before the decoder takes memory for it.
+/// The metadata at the end, before the decoder takes memory or time for what it claims.
 fn check_footer(source: &Source, options: &ReadOptions, shared: &Shared) -> Result<(), Error> {
     let length = shared.length();
     let end = length.checked_sub(8).and_then(|at| shared.at(at, 8).ok()).filter(|end| end.ends_with(MAGIC));
@@ -68,8 +71,16 @@ fn check_footer(source: &Source, options: &ReadOptions, shared: &Shared) -> Resu
         return Err(fault(source, length, "an end without `PAR1`: the file is not whole".into()));
     };
     let metadata = u64::from(u32::from_le_bytes([a, b, c, d]));
-    let fits = metadata + 12 <= length && metadata * METADATA <= limit::bound(source, options);
-    if fits { Ok(()) } else { Err(fault(source, length - 8, format!("metadata of {metadata} bytes"))) }
+    if metadata + 12 > length {
+        return Err(fault(source, length - 8, format!("metadata of {metadata} bytes")));
+    }
+    if metadata * METADATA > limit::bound(source, options) {
+        return Err(limit::beyond(source, options, length - 8, &format!("metadata of {metadata} bytes")));
+    }
+    let at = length - 8 - metadata;
+    let bytes = shared.at(at, metadata as usize).map_err(|e| source.io(e))?;
+    let whole = pages::is_structure(&bytes);
+    if whole { Ok(()) } else { Err(fault(source, at, "metadata that is no whole structure".into())) }
 }
 
 fn decode(source: &Source, options: &ReadOptions, shared: &Shared) -> Result<Decoded, Error> {
@@ -84,16 +95,22 @@ fn decode(source: &Source, options: &ReadOptions, shared: &Shared) -> Result<Dec
     let Some(rows) = rows.filter(|rows| Some(*rows) == stated) else {
         return Err(fault(source, shared.length(), format!("{stated:?} rows, but {rows:?} in groups")));
     };
-    let row_bytes = 24 + wanted.iter().map(Wanted::bytes).sum::<usize>();
+    let attributes = wanted.iter().filter(|column| column.axis.is_none());
+    let row_bytes = 24 + TRANSIENT + attributes.map(Wanted::bytes).sum::<usize>();
     limit::check(source, options, rows, row_bytes)?;
+    let room = limit::bound(source, options) - rows * row_bytes as u64;
     out.cloud.positions = vec![[0.0; 3]; rows as usize];
+    wanted.iter_mut().filter(|column| column.axis.is_none()).for_each(|column| column.reserve(rows as usize));
     let mut first = 0;
     for (index, group) in metadata.row_groups().iter().enumerate() {
         let reader = file.get_row_group(index).map_err(failed)?;
         let count = group.num_rows() as usize;
         for column in &mut wanted {
-            pages::check(source, shared, group.column(column.index), limit::bound(source, options))?;
+            pages::check(source, options, shared, group.column(column.index), room)?;
             let values = reader.get_column_reader(column.index).map_err(failed)?;
+            if column.axis.is_some() {
+                column.reserve(count);
+            }
             let read = group_column(values, count, column).map_err(failed)?;
             if read < count {
                 out.cut(source, options, "rows", rows, first as u64)?;
@@ -104,7 +121,7 @@ fn decode(source: &Source, options: &ReadOptions, shared: &Shared) -> Result<Dec
             if let Some(axis) = column.axis {
                 let target = out.cloud.positions[first..].iter_mut().enumerate().take(count);
                 target.for_each(|(row, point)| point[axis] = get(&column.values, row));
-                crate::columns::truncate(&mut column.values, 0);
+                column.reserve(0);
             }
         }
         first += count;
@@ -158,7 +175,7 @@ fn values<T: DataType>(
         for row in 0..read {
             let null = levels.get(row).is_some_and(|&level| level < column.level);
             match if null { None } else { present.next() } {
-                Some(value) => push(&mut column.values, number(value)),
+                Some(value) => push(column, number(value)),
                 None => push_null(&mut column.values),
             }
         }
@@ -168,12 +185,14 @@ fn values<T: DataType>(
 }
 
 /// Appends a value. Unsigned numbers are stored as the signed ones with the same bits.
-fn push(column: &mut Column, value: Value) {
-    let (whole, real) = match value {
-        Value::Integer(value) => (value, value as f64),
-        Value::Float(value) => (value as i64, value),
+fn push(column: &mut Wanted, value: Value) {
+    let (whole, real) = match (value, column.kind) {
+        (Value::Integer(value), Scalar::U32) => (value, f64::from(value as u32)),
+        (Value::Integer(value), Scalar::U64) => (value, value as u64 as f64),
+        (Value::Integer(value), _) => (value, value as f64),
+        (Value::Float(value), _) => (value as i64, value),
     };
-    match column {
+    match &mut column.values {
         Column::I8(values) => values.push(whole as i8),
         Column::U8(values) => values.push(whole as u8),
         Column::I16(values) => values.push(whole as i16),
@@ -193,7 +212,8 @@ fn push_null(column: &mut Column) {
         Column::F32(values) => values.push(f32::NAN),
         Column::F64(values) => values.push(f64::NAN),
         integers => {
-            let mut wide: Vec<f64> = (0..integers.len()).map(|row| get(integers, row)).collect();
+            let mut wide = Vec::with_capacity(crate::columns::capacity(integers));
+            wide.extend((0..integers.len()).map(|row| get(integers, row)));
             wide.push(f64::NAN);
             *integers = Column::F64(wide);
         }

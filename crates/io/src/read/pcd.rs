@@ -15,7 +15,7 @@ use lineament::{Attribute, Column};
 
 /// Reads a PCD input from its first byte.
 pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
-    let header = header::parse(source)?;
+    let header = header::parse(source, options)?;
     let mut out = Decoded { ignored: header.notes(), ..Decoded::default() };
     let axes = header.axes(source)?;
     let attributes: Vec<_> = header

@@ -1,6 +1,6 @@
 //! The columns that rows of a file go into, and the decoding of rows of fixed size.
 
-use crate::columns::{Endian, Scalar, append, push, truncate};
+use crate::columns::{Endian, Number, Scalar, append, push, truncate};
 use crate::error::Error;
 use crate::source::Source;
 use lineament::{Attribute, Cloud};
@@ -15,6 +15,26 @@ pub(crate) struct Field {
     pub kind: Scalar,
 }
 
+/// Coordinates that are stored as integers: `integer * scale + offset`.
+pub(crate) struct Grid {
+    pub scale: [f64; 3],
+    pub offset: [f64; 3],
+    /// Least and greatest coordinates that the header states, and how many points lie outside them.
+    pub bounds: [[f64; 3]; 2],
+    pub outside: usize,
+}
+
+impl Grid {
+    /// The point at the start of a row: three little endian integers.
+    fn place(&mut self, row: &[u8]) -> [f64; 3] {
+        let stored = |axis: usize| i32::from_bytes(&row[4 * axis..], Endian::Little);
+        let point = std::array::from_fn(|a| f64::from(stored(a)) * self.scale[a] + self.offset[a]);
+        let [low, high] = &self.bounds;
+        self.outside += usize::from(!(0..3).all(|a| point[a] >= low[a] && point[a] <= high[a]));
+        point
+    }
+}
+
 /// Growing columns.
 pub(crate) struct Table {
     pub positions: Vec<[f64; 3]>,
@@ -22,6 +42,8 @@ pub(crate) struct Table {
     pub axes: [usize; 3],
     /// Field index and column of every attribute.
     pub columns: Vec<(usize, Attribute)>,
+    /// Where coordinates stand on a grid: then they are the first fields of a row.
+    pub grid: Option<Grid>,
 }
 
 impl Table {
@@ -34,6 +56,7 @@ impl Table {
             positions: Vec::with_capacity(room),
             axes,
             columns: attributes.into_iter().map(column).collect(),
+            grid: None,
         }
     }
 
@@ -68,13 +91,31 @@ impl Table {
         }
     }
 
+    /// Where the table ends now, for [`Table::back_to`].
+    pub fn mark(&self) -> (usize, usize) {
+        (self.positions.len(), self.grid.as_ref().map_or(0, |grid| grid.outside))
+    }
+
+    /// Drops the rows that came after a mark.
+    pub fn back_to(&mut self, (rows, outside): (usize, usize)) {
+        self.positions.truncate(rows);
+        self.level();
+        if let Some(grid) = &mut self.grid {
+            grid.outside = outside;
+        }
+    }
+
     /// Appends the whole rows of `bytes`, `stride` bytes each.
     pub fn append(&mut self, bytes: &[u8], stride: usize, fields: &[Field], endian: Endian) {
-        let first = self.positions.len();
-        self.positions.resize(first + bytes.len() / stride, [0.0; 3]);
-        for (axis, &index) in self.axes.iter().enumerate() {
-            let Field { offset, kind } = fields[index];
-            kind.fill_axis(bytes, stride, offset, endian, &mut self.positions[first..], axis);
+        if let Some(grid) = &mut self.grid {
+            self.positions.extend(bytes.chunks_exact(stride).map(|row| grid.place(row)));
+        } else {
+            let first = self.positions.len();
+            self.positions.resize(first + bytes.len() / stride, [0.0; 3]);
+            for (axis, &index) in self.axes.iter().enumerate() {
+                let Field { offset, kind } = fields[index];
+                kind.fill_axis(bytes, stride, offset, endian, &mut self.positions[first..], axis);
+            }
         }
         for (index, attribute) in &mut self.columns {
             append(&mut attribute.values, bytes, stride, fields[*index].offset, endian);

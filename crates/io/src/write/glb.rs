@@ -19,7 +19,10 @@ const KINDS: [(StripKind, &str, [f32; 3]); 2] =
 
 /// Writes one file with all lines. Shared nodes are shared vertices.
 pub(super) fn write(out: &mut dyn Write, network: &Network) -> io::Result<()> {
-    let Polylines { vertices, paths } = Polylines::of(network);
+    let Polylines { mut vertices, paths } = Polylines::of(network);
+    if paths.iter().all(|path| path.len() < 2) {
+        vertices.clear();
+    }
     let middle = middle(&vertices);
     let local: Vec<[f32; 3]> =
         vertices.iter().map(|v| [0, 1, 2].map(|a| (v[a] - middle[a]) as f32)).collect();
@@ -99,7 +102,9 @@ fn json(local: &[[f32; 3]], segments: &[Vec<u32>; 2], middle: [f64; 3]) -> Strin
         offset += length;
     }
     if meshes.is_empty() {
-        return "{\"asset\":{\"version\":\"2.0\",\"generator\":\"lineament\"},\"scene\":0,\"scenes\":[{\"nodes\":[]}]}".into();
+        return "{\"asset\":{\"version\":\"2.0\",\"generator\":\"lineament\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\
+                \"nodes\":[{\"name\":\"network\"}]}"
+            .into();
     }
     let children: Vec<String> = (0..nodes.len()).map(|node| node.to_string()).collect();
     nodes.push(format!(

@@ -7,27 +7,42 @@ use crate::columns::{Number, Scalar, each_column};
 use crate::zip::ZipWriter;
 use std::io::{self, Write};
 
+/// Numbers whose bytes are gathered before they go out.
+const BLOCK: usize = 1 << 14;
+
 /// Writes an archive of arrays that are stored as they are, so that NumPy can map them.
 pub(super) fn write(out: &mut dyn Write, table: &PointTable) -> io::Result<()> {
     let count = table.cloud.len();
     let mut archive = ZipWriter::new(out);
-    let mut bytes = npy::header("<f8", &format!("{count}, 3"));
-    table.cloud.positions.iter().flatten().for_each(|c| c.put(&mut bytes));
-    archive.add("xyz.npy", &bytes)?;
+    archive.add("xyz.npy", &|out| {
+        out.write_all(&npy::header("<f8", &format!("{count}, 3")))?;
+        blocks(out, table.cloud.positions.as_flattened())
+    })?;
     let names = names(table);
     let own = names.len() - table.cloud.attributes.len();
     for (index, (name, kind)) in names.iter().enumerate() {
-        let mut bytes = npy::header(descr(*kind), &format!("{count},"));
-        match index.checked_sub(own) {
-            None if index == 0 => bytes.extend(table.classes),
-            None => table.scores.iter().for_each(|score| score.put(&mut bytes)),
-            Some(attribute) => each_column!(&table.cloud.attributes[attribute].values, values => {
-                values.iter().for_each(|value| value.put(&mut bytes));
-            }),
-        }
-        archive.add(&format!("{}.npy", name.replace('/', "_")), &bytes)?;
+        archive.add(&format!("{}.npy", name.replace('/', "_")), &|out| {
+            out.write_all(&npy::header(descr(*kind), &format!("{count},")))?;
+            match index.checked_sub(own) {
+                None if index == 0 => out.write_all(table.classes),
+                None => blocks(out, table.scores),
+                Some(attribute) => {
+                    each_column!(&table.cloud.attributes[attribute].values, values => blocks(out, values))
+                }
+            }
+        })?;
     }
     archive.finish()
+}
+
+/// The bytes of numbers, some at a time.
+fn blocks<T: Number>(out: &mut dyn Write, numbers: &[T]) -> io::Result<()> {
+    let mut bytes = Vec::new();
+    numbers.chunks(BLOCK).try_for_each(|block| {
+        bytes.clear();
+        block.iter().for_each(|number| number.put(&mut bytes));
+        out.write_all(&bytes)
+    })
 }
 
 /// NumPy's name of a type.

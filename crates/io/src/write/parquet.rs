@@ -12,30 +12,50 @@ use ::parquet::schema::types::{Type, TypePtr};
 use lineament::Column;
 use std::io::{self, Write};
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Rows of a row group.
 const GROUP: usize = 1 << 20;
 
-/// Writes the whole file, which is made in memory first: its directory stands at its end.
+/// Writes row group after row group; one at a time is in memory.
 pub(super) fn write(out: &mut dyn Write, table: &PointTable) -> io::Result<()> {
-    out.write_all(&file(table).map_err(io::Error::other)?)
-}
-
-fn file(table: &PointTable) -> Result<Vec<u8>> {
     let properties = WriterProperties::builder()
         .set_compression(Compression::SNAPPY)
         .set_dictionary_enabled(false)
         .set_created_by(concat!("lineament ", env!("CARGO_PKG_VERSION")).into())
         .build();
-    let mut writer = SerializedFileWriter::new(Vec::new(), schema(table)?, Arc::new(properties))?;
+    let gathered = Gathered::default();
+    let schema = schema(table).map_err(io::Error::other)?;
+    let writer = SerializedFileWriter::new(gathered.clone(), schema, Arc::new(properties));
+    let mut writer = writer.map_err(io::Error::other)?;
     let count = table.cloud.len();
     for start in (0..count).step_by(GROUP) {
-        let mut group = writer.next_row_group()?;
-        write_group(&mut group, table, start..(start + GROUP).min(count))?;
-        group.close()?;
+        write_group(&mut writer, table, start..(start + GROUP).min(count)).map_err(io::Error::other)?;
+        out.write_all(&gathered.take())?;
     }
-    writer.into_inner()
+    writer.close().map_err(io::Error::other)?;
+    out.write_all(&gathered.take())
+}
+
+/// What the encoder has written and nobody has taken yet: it wants an output that threads may share.
+#[derive(Clone, Default)]
+struct Gathered(Arc<Mutex<Vec<u8>>>);
+
+impl Gathered {
+    fn take(&self) -> Vec<u8> {
+        std::mem::take(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+}
+
+impl Write for Gathered {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
 }
 
 fn schema(table: &PointTable) -> Result<TypePtr> {
@@ -64,9 +84,15 @@ fn field(name: &str, kind: Scalar) -> Result<Type> {
     builder.with_logical_type(logical).build()
 }
 
-type Group<'a> = SerializedRowGroupWriter<'a, Vec<u8>>;
+type Group<'a> = SerializedRowGroupWriter<'a, Gathered>;
 
-fn write_group(group: &mut Group, table: &PointTable, rows: Range<usize>) -> Result<()> {
+fn write_group(
+    writer: &mut SerializedFileWriter<Gathered>,
+    table: &PointTable,
+    rows: Range<usize>,
+) -> Result<()> {
+    let mut row_group = writer.next_row_group()?;
+    let group = &mut row_group;
     for axis in 0..3 {
         let values: Vec<f64> = table.cloud.positions[rows.clone()].iter().map(|p| p[axis]).collect();
         put::<DoubleType>(group, &values)?;
@@ -76,7 +102,8 @@ fn write_group(group: &mut Group, table: &PointTable, rows: Range<usize>) -> Res
     if !table.scores.is_empty() {
         put::<FloatType>(group, &table.scores[rows.clone()])?;
     }
-    table.cloud.attributes.iter().try_for_each(|a| column(group, &a.values, rows.clone()))
+    table.cloud.attributes.iter().try_for_each(|a| column(group, &a.values, rows.clone()))?;
+    row_group.close().map(|_| ())
 }
 
 /// Unsigned numbers are stored as the signed ones with the same bits.

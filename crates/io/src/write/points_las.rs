@@ -4,6 +4,7 @@
 use super::PointTable;
 use super::point_rows::{names, put};
 use crate::columns::{Number, Scalar, get};
+use crate::quiet;
 use crate::read::las::points::{Dimension, standard};
 use crate::read::{LasFrame, LasRecord};
 use laz::{LazItemRecordBuilder, LazVlr, LazVlrBuilder};
@@ -72,7 +73,10 @@ pub(super) fn write(out: &mut dyn Write, table: &PointTable, packed: bool) -> io
     }
     if let Some(laz) = laz {
         file.set_position(file.get_ref().len() as u64);
-        laz::laszip::compress_buffer(&mut file, &rows, laz).map_err(io::Error::other)?;
+        // The packer subtracts GPS times of both signs, which overflows where overflow is checked.
+        let packed = quiet::catch(|| laz::laszip::compress_buffer(&mut file, &rows, laz));
+        let packed = packed.ok_or_else(|| io::Error::other("the LAZ packer gave up: write LAS"))?;
+        packed.map_err(io::Error::other)?;
         out.write_all(file.get_ref())?;
     }
     Ok(())

@@ -7,6 +7,28 @@ use std::io::{self, Write};
 const VERSION: u16 = 45;
 const DATE: u16 = 0x21;
 
+/// Writes the bytes of an entry, the same whenever it is called.
+pub(crate) type Content<'a> = &'a dyn Fn(&mut dyn Write) -> io::Result<()>;
+
+/// What is known of an entry before it is written.
+#[derive(Default)]
+struct Counted {
+    sum: crc32fast::Hasher,
+    size: u64,
+}
+
+impl Write for Counted {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.sum.update(bytes);
+        self.size += bytes.len() as u64;
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
 /// An archive in the making.
 pub(crate) struct ZipWriter<'a> {
     out: &'a mut dyn Write,
@@ -29,16 +51,19 @@ impl<'a> ZipWriter<'a> {
         Self { out, at: 0, directory: Vec::new(), entries: 0 }
     }
 
-    /// Adds a file, as it is.
-    pub fn add(&mut self, name: &str, content: &[u8]) -> io::Result<()> {
+    /// Adds a file, as it is. `content` gives its bytes, and is asked for them twice: the checksum stands before them.
+    pub fn add(&mut self, name: &str, content: Content) -> io::Result<()> {
         let length = u16::try_from(name.len()).map_err(io::Error::other)?;
-        let (sum, size, narrow) = (crc32fast::hash(content), content.len() as u64, u32::MAX);
+        let mut counted = Counted::default();
+        content(&mut counted)?;
+        let (sum, size, narrow) = (counted.sum.finalize(), counted.size, u32::MAX);
         // Bit 11: the name is UTF-8. Method 0: stored.
         let common = numbers![1u16 << 11, 0u16, 0u16, DATE, sum, narrow, narrow, length];
         let head = [LOCAL, &numbers![VERSION], &common, &numbers![20u16]].concat();
-        let sizes = numbers![1u16, 16u16, size, size];
-        self.put(&[&head, name.as_bytes(), &sizes, content])?;
-        let start = self.at - (head.len() + name.len() + sizes.len()) as u64 - size;
+        let start = self.at;
+        self.put(&[&head, name.as_bytes(), &numbers![1u16, 16u16, size, size]])?;
+        content(self.out)?;
+        self.at += size;
         self.directory.extend([CENTRAL, &numbers![VERSION, VERSION], &common].concat());
         // Extra fields of 28 bytes, no comment, disk 0, no attributes.
         self.directory.extend(numbers![28u16, 0u16, 0u16, 0u16, 0u32, narrow]);

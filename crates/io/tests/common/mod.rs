@@ -8,6 +8,7 @@ use std::path::PathBuf;
 pub mod copc;
 pub mod e57;
 pub mod las;
+pub mod parquet;
 mod seeds;
 pub use seeds::{network, seeds};
 

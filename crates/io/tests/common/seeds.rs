@@ -1,5 +1,6 @@
 //! A network, and small inputs in every format: what damaged inputs and the fuzz targets begin with.
 
+use ::parquet::file::properties::WriterVersion;
 use lineament::curve::BSpline;
 use lineament::{Attribute, Cloud, Column, Network, Node, NodeKind, Strip, StripKind};
 use lineament_io::{NetworkFormat, PointFormat, PointTable, write_network_to, write_points_to};
@@ -107,6 +108,10 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
     npy.extend(header.as_bytes());
     npy.resize(npy.len() + 48, 0);
     seeds.push(("seed.npy".into(), npy));
+    for (index, codec) in super::parquet::codecs().into_iter().enumerate() {
+        let version = if index % 2 == 0 { WriterVersion::PARQUET_1_0 } else { WriterVersion::PARQUET_2_0 };
+        seeds.push((format!("{index}.parquet"), super::parquet::file(codec, version, index % 4 < 2, 60)));
+    }
     seeds.push(("octree.laz".into(), super::copc::file(60)));
     seeds.push(("two.e57".into(), super::e57::two_scans(40)));
     for (format, chunk, name) in

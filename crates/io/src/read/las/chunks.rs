@@ -38,7 +38,7 @@ pub(super) fn chunks(
     };
     let table_at = table_offset(source, input, header, length)?;
     let first = header.points_at + 8;
-    if table_at < first || table_at + 8 > length {
+    if table_at < first || table_at.checked_add(8).is_none_or(|end| end > length) {
         return fail(format!("a chunk table at byte {table_at} of a file of {length}"));
     }
     let counts = at(source, input, table_at, 8)?;

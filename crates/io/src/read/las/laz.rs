@@ -15,11 +15,15 @@ use laz::{DecompressionSelection, LazItem, LazItemType, LazVlr};
 use rayon::prelude::*;
 use std::io::Cursor;
 
-/// Chunks that are unpacked at a time, side by side; as many wait for their place in the table meanwhile.
+/// Chunks that are unpacked at a time, side by side, where there are threads for it; as many wait for their place in the table meanwhile.
 const BATCH: usize = 4;
-/// Unpacked bytes of a chunk beyond which it goes alone, and how many of them are held at a time then.
+/// Unpacked bytes of a chunk beyond which it goes alone.
 const LARGE: u64 = 4 << 20;
-const STEP: usize = 4 << 20;
+/// Unpacked bytes that are held at a time of a chunk that goes alone: they go to the table while they are in the cache.
+const STEP: usize = 1 << 17;
+
+/// Why a decoder that panicked could not unpack a chunk.
+const GAVE_UP: &str = "the decoder gave up";
 
 /// How the records are packed.
 pub(super) struct Packing {
@@ -60,9 +64,11 @@ pub(super) fn read(
     let wanted: u64 = chunks.iter().map(|chunk| chunk.points).sum();
     limit::check(source, options, wanted, table.row_bytes())?;
     table.reserve(wanted as usize);
-    let passed = header.points.saturating_sub(wanted);
+    let side_by_side = if rayon::current_num_threads() > 1 { BATCH } else { 1 };
+    let mut into = Into { packing: &packing, fields, table };
     let mut waiting = Vec::new();
-    for batch in batches(&chunks, packing.record) {
+    let mut result = Ok(());
+    for batch in batches(&chunks, packing.record, side_by_side) {
         let mut packed = Vec::new();
         for chunk in batch {
             packed.push(bytes(source, &mut input, chunk)?);
@@ -71,20 +77,20 @@ pub(super) fn read(
         // The rows of one batch go into the table while the next is unpacked.
         let (unpacked, put) = rayon::join(
             || if batch.len() > 1 { unpack_all(batch, &mut packed, &packing) } else { Vec::new() },
-            || put(before, table, packing.record, fields),
+            || into.put(before),
         );
-        match put {
-            Err(_) if options.salvage => return Ok(Taken { rows: table.positions.len() as u64, passed }),
-            Err((chunk, what)) => return Err(broken(source, chunk, &what)),
-            Ok(()) => waiting = unpacked,
-        }
-        if let ([chunk], Some(packed)) = (batch, packed.pop()) {
-            alone(source, chunk, packed, &packing, fields, table)?;
+        waiting = unpacked;
+        result = put.and_then(|()| match (batch, packed.pop()) {
+            ([chunk], Some(packed)) => into.alone(chunk, packed),
+            _ => Ok(()),
+        });
+        if result.is_err() {
+            break;
         }
     }
-    match put(waiting, table, packing.record, fields) {
+    match result.and_then(|()| into.put(waiting)) {
         Err((chunk, what)) if !options.salvage => Err(broken(source, chunk, &what)),
-        _ => Ok(Taken { rows: table.positions.len() as u64, passed }),
+        _ => Ok(Taken { rows: table.positions.len() as u64, passed: header.points.saturating_sub(wanted) }),
     }
 }
 
@@ -97,17 +103,46 @@ fn unpack_all<'a>(batch: &'a [Chunk], packed: &mut Vec<Vec<u8>>, packing: &Packi
     pairs.map(|(chunk, bytes)| (chunk, unpack(chunk, bytes, packing))).collect()
 }
 
-/// Puts the rows of chunks into the table, up to the first that could not be unpacked.
-fn put<'a>(
-    chunks: Vec<Unpacked<'a>>,
-    table: &mut Table,
-    record: usize,
-    fields: &[Field],
-) -> Result<(), (&'a Chunk, String)> {
-    for (chunk, rows) in chunks {
-        table.append(&rows.map_err(|what| (chunk, what))?, record, fields, Endian::Little);
+/// Where rows go, and how they are packed.
+struct Into<'a> {
+    packing: &'a Packing,
+    fields: &'a [Field],
+    table: &'a mut Table,
+}
+
+impl Into<'_> {
+    /// Puts the rows of chunks into the table, up to the first that could not be unpacked.
+    fn put<'c>(&mut self, chunks: Vec<Unpacked<'c>>) -> Result<(), (&'c Chunk, String)> {
+        for (chunk, rows) in chunks {
+            let rows = rows.map_err(|what| (chunk, what))?;
+            self.table.append(&rows, self.packing.record, self.fields, Endian::Little);
+        }
+        Ok(())
     }
-    Ok(())
+
+    /// Unpacks a chunk into the table, some records at a time; nothing of it stays there if it cannot be unpacked whole.
+    fn alone<'c>(&mut self, chunk: &'c Chunk, bytes: Vec<u8>) -> Result<(), (&'c Chunk, String)> {
+        let record = self.packing.record;
+        let step = (STEP / record).max(1).min(chunk.points as usize);
+        let mut rows = vec![0; step * record];
+        let mut left = chunk.points;
+        let before = self.table.mark();
+        let result = quiet::catch(|| {
+            let mut unpacker = unpacker(bytes, self.packing)?;
+            while left > 0 {
+                let some = left.min(step as u64) as usize * record;
+                unpacker.decompress_many(&mut rows[..some]).map_err(|error| error.to_string())?;
+                self.table.append(&rows[..some], record, self.fields, Endian::Little);
+                left -= (some / record) as u64;
+            }
+            Ok::<(), String>(())
+        });
+        let result = result.unwrap_or_else(|| Err(GAVE_UP.into()));
+        result.map_err(|what| {
+            self.table.back_to(before);
+            (chunk, what)
+        })
+    }
 }
 
 fn broken(source: &Source, chunk: &Chunk, what: &str) -> Error {
@@ -195,12 +230,12 @@ fn layers_fit(bytes: &[u8], packing: &Packing) -> bool {
 }
 
 /// Runs of chunks to unpack together.
-fn batches(chunks: &[Chunk], record: usize) -> impl Iterator<Item = &[Chunk]> {
+fn batches(chunks: &[Chunk], record: usize, most: usize) -> impl Iterator<Item = &[Chunk]> {
     let mut rest = chunks;
     std::iter::from_fn(move || {
         let small = rest
             .iter()
-            .take(BATCH)
+            .take(most)
             .take_while(|chunk| chunk.points.saturating_mul(record as u64) <= LARGE)
             .count();
         let (batch, after) = rest.split_at(small.max(1).min(rest.len()));
@@ -233,32 +268,6 @@ fn unpack(chunk: &Chunk, bytes: Vec<u8>, packing: &Packing) -> Result<Vec<u8>, S
         let mut unpacker = unpacker(bytes, packing)?;
         unpacker.decompress_many(&mut rows).map_err(|error| error.to_string())
     });
-    result.unwrap_or_else(|| Err("the decoder gave up".into()))?;
+    result.unwrap_or_else(|| Err(GAVE_UP.into()))?;
     Ok(rows)
-}
-
-/// The records of a large chunk, some at a time.
-fn alone(
-    source: &Source,
-    chunk: &Chunk,
-    bytes: Vec<u8>,
-    packing: &Packing,
-    fields: &[Field],
-    table: &mut Table,
-) -> Result<(), Error> {
-    let step = (STEP / packing.record).max(1).min(chunk.points as usize);
-    let mut rows = vec![0; step * packing.record];
-    let mut left = chunk.points;
-    let result = quiet::catch(|| {
-        let mut unpacker = unpacker(bytes, packing)?;
-        while left > 0 {
-            let some = left.min(step as u64) as usize * packing.record;
-            unpacker.decompress_many(&mut rows[..some]).map_err(|error| error.to_string())?;
-            table.append(&rows[..some], packing.record, fields, Endian::Little);
-            left -= (some / packing.record) as u64;
-        }
-        Ok::<(), String>(())
-    });
-    let result = result.unwrap_or_else(|| Err("the decoder gave up".into()));
-    result.map_err(|what| broken(source, chunk, &what))
 }

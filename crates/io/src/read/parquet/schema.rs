@@ -18,13 +18,20 @@ pub(super) struct Wanted {
     pub axis: Option<usize>,
     /// The definition level of values that are not null.
     pub level: i16,
+    /// The type in the file; integers with nulls become doubles.
+    pub kind: Scalar,
     pub values: Column,
 }
 
 impl Wanted {
     /// Bytes of a value in memory; nulls make integers wider.
     pub fn bytes(&self) -> usize {
-        if self.level > 0 { 8 } else { Scalar::of(&self.values).size() }
+        if self.level > 0 && self.kind.is_integer() { 8 } else { self.kind.size() }
+    }
+
+    /// Empties the column, and gives it room for so many values and no more.
+    pub fn reserve(&mut self, rows: usize) {
+        self.values = Scalar::of(&self.values).column(rows);
     }
 }
 
@@ -59,6 +66,7 @@ pub(super) fn wanted(
             name,
             axis: axis_of(column),
             level: descriptor.max_def_level(),
+            kind,
             values: kind.column(0),
         })
         .collect())

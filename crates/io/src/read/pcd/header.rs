@@ -5,6 +5,7 @@ use crate::columns::Scalar;
 use crate::error::Error;
 use crate::number::{self, integer, shown, tokens};
 use crate::read::rows::Field;
+use crate::read::{ReadOptions, limit};
 use crate::source::Source;
 
 /// How rows are stored.
@@ -33,8 +34,9 @@ pub(super) struct NamedField {
     pub place: Field,
 }
 
-/// More numbers than this in a row are a damaged header, not a feature descriptor.
-const MAX_FIELDS: u64 = 65_536;
+/// Share of the bound on memory that a number of a row stands for: so many that they go beyond it are a damaged header
+/// rather than a feature descriptor.
+const FIELD: u64 = 1 << 10;
 
 /// Lines of the header as they come.
 #[derive(Default)]
@@ -92,7 +94,7 @@ impl Header {
 }
 
 /// Parses the header, and leaves the source behind its last line.
-pub(super) fn parse(source: &mut Source) -> Result<Header, Error> {
+pub(super) fn parse(source: &mut Source, options: &ReadOptions) -> Result<Header, Error> {
     source.detect_terminator()?;
     let mut lines = Lines::default();
     loop {
@@ -114,7 +116,7 @@ pub(super) fn parse(source: &mut Source) -> Result<Header, Error> {
                     );
                 }
             };
-            return lines.finish(source, data);
+            return lines.finish(source, options, data);
         }
         if !key.starts_with(b"#") {
             lines.take(source, key, values)?;
@@ -152,7 +154,7 @@ impl Lines {
         Ok(())
     }
 
-    fn finish(self, source: &Source, data: Data) -> Result<Header, Error> {
+    fn finish(self, source: &Source, options: &ReadOptions, data: Data) -> Result<Header, Error> {
         let fail = |found: String, advice: &str| Err(source.malformed_line(found, advice));
         let count = self.names.len();
         let counts = if self.counts.is_empty() { vec![1; count] } else { self.counts };
@@ -161,11 +163,14 @@ impl Lines {
             let found = format!("{count} FIELDS, {sizes} SIZE, {kinds} TYPE, {} COUNT", counts.len());
             return fail(found, "they must be equally many");
         }
-        if counts.iter().fold(0u64, |sum, &count| sum.saturating_add(count)) > MAX_FIELDS {
-            return fail(
-                format!("COUNT {counts:?}"),
-                "a row of so many numbers is not read; the header is damaged",
-            );
+        let numbers = counts.iter().fold(0u64, |sum, &count| sum.saturating_add(count));
+        if numbers.saturating_mul(FIELD) > limit::bound(source, options) {
+            return Err(limit::beyond(
+                source,
+                options,
+                0,
+                &format!("a row of {numbers} numbers: COUNT {counts:?}"),
+            ));
         }
         let mut fields = Vec::new();
         let mut offset = 0;
