@@ -1,6 +1,7 @@
 //! Centre and correlation tensor of a neighbourhood (Gumhold 2001, section 3.1, equations 2 and 3).
 
 use crate::math::eigen3::{Eigen3, Symmetric3, eigen3};
+use crate::math::least_axis::least_axis;
 use crate::math::vec3::sub;
 
 /// Centre and correlation ellipsoid of a set of points.
@@ -16,6 +17,17 @@ pub struct Ellipsoid {
 
 /// The correlation ellipsoid of `points[own]` and `neighbors`, with the point itself as one of the set.
 pub fn ellipsoid(points: &[[f64; 3]], own: usize, neighbors: &[u32]) -> Ellipsoid {
+    let (centre, tensor) = correlation(points, own, neighbors);
+    Ellipsoid { centre, axes: eigen3(&tensor), count: neighbors.len() + 1 }
+}
+
+/// The unit normal, without orientation, of the least-squares plane of the same set: the ellipsoid's least axis alone.
+pub fn plane_normal(points: &[[f64; 3]], own: usize, neighbors: &[u32]) -> [f64; 3] {
+    least_axis(&correlation(points, own, neighbors).1).1
+}
+
+/// Centre of the set, from the point, and its correlation tensor.
+fn correlation(points: &[[f64; 3]], own: usize, neighbors: &[u32]) -> ([f64; 3], Symmetric3) {
     let origin = points[own];
     let (mut sum, mut products): ([f64; 3], Symmetric3) = ([0.0; 3], [0.0; 6]);
     for &j in neighbors {
@@ -29,7 +41,7 @@ pub fn ellipsoid(points: &[[f64; 3]], own: usize, neighbors: &[u32]) -> Ellipsoi
     let centre = sum.map(|s| s / n);
     let mut tensor = products.map(|p| p / n);
     add_product(&mut tensor, centre, -1.0);
-    Ellipsoid { centre, axes: eigen3(&tensor), count: neighbors.len() + 1 }
+    (centre, tensor)
 }
 
 /// Adds `weight v v^t`.

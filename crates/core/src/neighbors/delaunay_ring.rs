@@ -6,8 +6,8 @@
 //! touches the cell in a corner gives no neighbour, so a grid has rings of four whichever way it is turned.
 
 use super::Neighbors;
-use crate::detect::tensor::ellipsoid;
-use crate::math::vec3::{dot, sub};
+use crate::detect::tensor::plane_normal;
+use crate::math::vec3::{cross, dot, perpendicular, sub};
 use rayon::prelude::*;
 
 /// A corner of the cell that a bisector passes by no more than this, relative, is not cut off.
@@ -44,8 +44,7 @@ pub fn one_rings(points: &[[f64; 3]], nearest: &Neighbors) -> (Neighbors, Vec<[f
                 let before = indices.len();
                 cell.ring(points, i, nearest.of(i), &mut indices);
                 counts.push((indices.len() - before) as u32);
-                let plane = ellipsoid(points, i, &indices[before..]).axes;
-                normals.push(plane.vectors[0].map(|x| x as f32));
+                normals.push(plane_normal(points, i, &indices[before..]).map(|x| x as f32));
             }
             (counts, indices, normals)
         })
@@ -67,7 +66,9 @@ pub fn one_rings(points: &[[f64; 3]], nearest: &Neighbors) -> (Neighbors, Vec<[f
 impl Cell {
     /// Appends the one-ring of point `i` among `near`.
     fn ring(&mut self, points: &[[f64; 3]], i: usize, near: &[u32], ring: &mut Vec<u32>) {
-        let [_, v, u] = ellipsoid(points, i, near).axes.vectors;
+        let normal = plane_normal(points, i, near);
+        let u = perpendicular(normal);
+        let v = cross(normal, u);
         self.around.clear();
         for &j in near {
             let d = sub(points[j as usize], points[i]);
