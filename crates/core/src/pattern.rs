@@ -52,6 +52,19 @@ impl LineGraph {
         }
     }
 
+    /// A new vertex of `point` at `position` of which nothing else is known.
+    pub fn push_vertex(&mut self, point: u32, position: [f64; 3]) -> u32 {
+        self.points.push(point);
+        self.positions.push(position);
+        self.penalty.push(1.0);
+        self.corner.push(1.0);
+        self.evidence.push(0.0);
+        self.expected.push(0.0);
+        self.fold.push(0.0);
+        self.edges.push(Vec::new());
+        (self.edges.len() - 1) as u32
+    }
+
     /// A new vertex at `position`, otherwise like `model` but without evidence of its own.
     pub fn add_vertex(&mut self, model: u32, position: [f64; 3]) -> u32 {
         let m = model as usize;

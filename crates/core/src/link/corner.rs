@@ -303,14 +303,7 @@ mod tests {
         let mut lines = LineGraph::default();
         let count = (round / step) as u32;
         for i in 0..count {
-            lines.points.push(i);
-            lines.positions.push(at(shift + f64::from(i) * step));
-            lines.penalty.push(0.0);
-            lines.corner.push(1.0);
-            lines.evidence.push(9.0);
-            lines.expected.push(9.0);
-            lines.fold.push(1.0);
-            lines.edges.push(Vec::new());
+            lines.push_vertex(i, at(shift + f64::from(i) * step));
         }
         (0..count).for_each(|i| lines.add_edge(i, (i + 1) % count));
         lines

@@ -85,14 +85,7 @@ mod tests {
         let mut lines = LineGraph::default();
         for row in 0..2 {
             for i in 0..20u32 {
-                lines.points.push(row * 20 + i);
-                lines.positions.push([f64::from(i), f64::from(row) * gap, 0.0]);
-                lines.penalty.push(0.0);
-                lines.corner.push(1.0);
-                lines.evidence.push(9.0);
-                lines.expected.push(9.0);
-                lines.fold.push(1.0);
-                lines.edges.push(Vec::new());
+                lines.push_vertex(row * 20 + i, [f64::from(i), f64::from(row) * gap, 0.0]);
             }
             (0..19).for_each(|i| lines.add_edge(row * 20 + i, row * 20 + i + 1));
         }

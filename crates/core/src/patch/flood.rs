@@ -10,8 +10,9 @@ use rayon::prelude::*;
 const LEAST: u32 = 6;
 /// Where no strip is nearer than this, spacings, nothing is narrow.
 const WIDE: f64 = 0.8;
-/// A place narrower than this share of what it would join joins nothing.
+/// Regions join at a place that one of them is at most this many times as wide as.
 const WAIST: f64 = 2.0;
+/// Faces wider than this times that are all the same.
 const CAP: f64 = 4.0;
 /// Sine of the angle to the surface beyond which an edge leaves it.
 const OFF_SURFACE: f64 = 0.6;

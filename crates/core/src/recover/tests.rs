@@ -1,6 +1,7 @@
-use super::recover;
+use super::{recover, take_back};
 use crate::network::{NodeKind, StripKind};
 use crate::params::SplineParams;
+use crate::patch::{Fit, Patch, Patches, Sides, Surface};
 use crate::pattern::{LineGraph, Pattern};
 use crate::resolution::Resolution;
 
@@ -10,14 +11,7 @@ const UNIT: Resolution = Resolution { spacing: 1.0, noise: 0.0 };
 fn row(lines: &mut LineGraph, from: [f64; 3], step: [f64; 3], count: u32) -> [u32; 2] {
     let first = lines.edges.len() as u32;
     for i in 0..count {
-        lines.points.push(first + i);
-        lines.positions.push([0, 1, 2].map(|k| from[k] + f64::from(i) * step[k]));
-        lines.penalty.push(0.0);
-        lines.corner.push(1.0);
-        lines.evidence.push(9.0);
-        lines.expected.push(9.0);
-        lines.fold.push(1.0);
-        lines.edges.push(Vec::new());
+        lines.push_vertex(first + i, [0, 1, 2].map(|k| from[k] + f64::from(i) * step[k]));
     }
     (1..count).for_each(|i| lines.add_edge(first + i - 1, first + i));
     [first, first + count - 1]
@@ -48,4 +42,47 @@ fn a_crease_that_ends_beside_the_end_of_a_border_ends_on_it() {
         assert_eq!(network.count(NodeKind::End), ends, "gap {gap}");
         assert_eq!(network.strips.iter().filter(|s| s.kind == StripKind::Crease).count(), 1);
     }
+}
+
+/// A rectangle, 16 by 8, with a chord across its middle, which folds by `fold_deg` between two patches.
+fn chord(fold_deg: f64) -> (LineGraph, bool) {
+    let mut crease = LineGraph::default();
+    let corners = [[0.0, 0.0, 0.0], [16.0, 0.0, 0.0], [16.0, 8.0, 0.0], [0.0, 8.0, 0.0]];
+    let ways = [(X, 16), (Y, 8), (X.map(|x| -x), 16), (Y.map(|y| -y), 8)];
+    let sides: Vec<[u32; 2]> =
+        corners.iter().zip(ways).map(|(&from, (step, count))| row(&mut crease, from, step, count)).collect();
+    (0..4).for_each(|k| crease.add_edge(sides[k][1], sides[(k + 1) % 4][0]));
+    let [foot, top] = row(&mut crease, [8.0, 1.0, 0.0], Y, 7);
+    crease.add_edge(8, foot);
+    crease.add_edge(top, sides[2][0] + 8);
+    let pattern = Pattern { crease, ..Pattern::default() };
+    let network = recover(&pattern, UNIT, &SplineParams::default());
+    let mut crease = pattern.crease;
+    let beside = |s: &crate::Strip| {
+        let is_chord = s.points.iter().all(|p| (p[0] - 8.0).abs() < 0.5);
+        let fold_deg = Some(if is_chord { fold_deg } else { 90.0 });
+        Sides { left: Some(0), right: Some(1), fold_deg, convex: Some(true) }
+    };
+    let surface = Surface::Plane { point: [0.0; 3], normal: [0.0, 0.0, 1.0] };
+    let fit = Fit { surface, residual: 0.0, free: false };
+    let patch = Patch { loops: Vec::new(), neighbors: Vec::new(), points: 9, area: 1.0, fit };
+    let sides = network.strips.iter().map(beside).collect();
+    let patches = Patches { label: Vec::new(), patches: vec![patch.clone(), patch], sides };
+    let taken = take_back(&mut crease, &network, &patches, UNIT, 25.0);
+    (crease, taken)
+}
+
+#[test]
+fn a_flat_chord_is_taken_back_and_the_loop_stays_closed() {
+    let (crease, taken) = chord(10.0);
+    assert!(taken);
+    assert_eq!(crease.edge_count(), 48);
+    assert!(crease.edges.iter().all(|e| e.is_empty() || e.len() == 2));
+}
+
+#[test]
+fn a_chord_that_folds_stays() {
+    let (crease, taken) = chord(40.0);
+    assert!(!taken);
+    assert_eq!(crease.edge_count(), 56);
 }

@@ -31,7 +31,7 @@ pub fn ground(
     }
     for (i, vertex) in vertex.iter_mut().enumerate().filter(|(_, v)| **v == u32::MAX) {
         if let Some(place) = between(points, graph, segments, i) {
-            *vertex = push(&mut all, i as u32, place);
+            *vertex = all.push_vertex(i as u32, place);
         }
     }
     for i in (0..points.len()).filter(|&i| vertex[i] != u32::MAX) {
@@ -70,21 +70,9 @@ fn between(points: &[[f64; 3]], graph: &Neighbors, segments: &Segmentation, i: u
     Some(scale(add(points[i], mean), 0.5))
 }
 
-fn push(lines: &mut LineGraph, point: u32, position: [f64; 3]) -> u32 {
-    lines.points.push(point);
-    lines.positions.push(position);
-    lines.penalty.push(1.0);
-    lines.corner.push(1.0);
-    lines.evidence.push(0.0);
-    lines.expected.push(0.0);
-    lines.fold.push(0.0);
-    lines.edges.push(Vec::new());
-    (lines.edges.len() - 1) as u32
-}
-
 /// Gives `lines` the vertices that `all` has beyond its own, without edges.
 pub fn take_vertices(lines: &mut LineGraph, all: &LineGraph) {
     for v in lines.edges.len()..all.edges.len() {
-        push(lines, all.points[v], all.positions[v]);
+        lines.push_vertex(all.points[v], all.positions[v]);
     }
 }
