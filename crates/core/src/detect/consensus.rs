@@ -3,7 +3,8 @@
 //! The correlation ellipsoid (Gumhold 2001, section 3.1) blends what meets in a neighbourhood: the two faces at a crease,
 //! the two sides of a thin sheet. Consensus chooses instead: of several candidate planes through the point the one with
 //! most weight of neighbours close to it, refined by weighted least squares. Candidates are the ellipsoid of the nearest
-//! few, that of all, and the planes that the neighbours chose.
+//! few, that of all, and the planes that the neighbours chose. Where two of them are nearly even, as between the sides of a
+//! sheet, the next ring of neighbours decides.
 
 use super::tensor::{add_product, ellipsoid};
 use crate::math::eigen3::eigen3;

@@ -2,7 +2,8 @@
 //!
 //! Demarsin et al. 2007 close every line, by the shortest way where nothing else is found (section 2.7). Such a link may run
 //! over a smooth face. What lies on both sides of a strip is known once the patches are: a short strip with hardly a fold, or
-//! with one patch on both sides, is no boundary. It goes where what it hangs on stays closed without it.
+//! with one patch on both sides, is no boundary. It goes where what it hangs on stays closed without it. Where
+//! no patches are looked for (`patches.find=false`) nothing is taken back.
 
 use super::paths;
 use crate::math::vec3::distance;
