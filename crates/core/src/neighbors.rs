@@ -8,6 +8,7 @@ mod lists;
 pub mod riemannian;
 #[cfg(target_arch = "x86_64")]
 mod simd;
+mod split;
 
 use rayon::prelude::*;
 

@@ -15,6 +15,10 @@ type Entry = u128;
 /// Bits of a code that choose its bucket: four levels of cells.
 const BUCKET_BITS: u32 = 12;
 const BUCKETS: usize = 1 << BUCKET_BITS;
+/// Bits in which the codes of one bucket differ.
+const CODE_BITS: u32 = 3 * BITS - BUCKET_BITS;
+/// Most entries whose places fit into a word beside those bits.
+const SMALL: usize = 1 << (64 - CODE_BITS);
 /// Below this many entries a sort by all threads does not pay.
 const LARGE: usize = 1 << 15;
 
@@ -116,13 +120,16 @@ fn index(entry: Entry) -> u32 {
 /// The points of one bucket. Its memory serves one bucket after the other; the levels add up.
 struct Bucket {
     entries: Vec<Entry>,
+    words: Vec<u64>,
+    unsorted: Vec<Entry>,
     relative: Vec<[f64; 3]>,
     levels: Levels,
 }
 
 impl Default for Bucket {
     fn default() -> Self {
-        Bucket { entries: Vec::new(), relative: Vec::new(), levels: [0; LEVELS + 1] }
+        let [entries, unsorted] = [Vec::new(), Vec::new()];
+        Bucket { entries, words: Vec::new(), unsorted, relative: Vec::new(), levels: [0; LEVELS + 1] }
     }
 }
 
@@ -138,8 +145,24 @@ impl Bucket {
     }
 
     fn sort(&mut self, grid: &Grid) {
-        sort(&mut self.entries);
+        if self.entries.len() <= SMALL {
+            self.sort_small();
+        } else {
+            sort(&mut self.entries);
+        }
         refine(grid, &mut self.entries, &self.relative, 0, &mut self.levels);
+    }
+
+    /// Sorts by what the codes of one bucket differ in, and by place, which for equal codes is the order of the indices:
+    /// both go into one word.
+    fn sort_small(&mut self) {
+        let word = |e: &Entry| code(*e) << (64 - CODE_BITS) | u64::from(*e as u32);
+        self.words.clear();
+        self.words.extend(self.entries.iter().map(word));
+        self.words.sort_unstable();
+        self.unsorted.clone_from(&self.entries);
+        let places = self.words.iter().map(|w| *w as usize & (SMALL - 1));
+        self.entries.iter_mut().zip(places).for_each(|(entry, place)| *entry = self.unsorted[place]);
     }
 
     fn emit(&self, relative: &mut [[f64; 3]], source: &mut [u32]) {

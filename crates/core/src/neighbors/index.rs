@@ -1,12 +1,12 @@
 //! The search structure: leaves of 16 points under a 16-wide implicit hierarchy of bounding boxes.
 //!
-//! Blocks of consecutive points, which Morton order keeps together, are divided into leaves like a k-d tree. That
-//! costs 30 ns a point; leaves of sixteen consecutive points, tried first, have looser boxes, and searching them
+//! Blocks of consecutive points, which Morton order keeps together, are divided into leaves like a k-d tree (`split`).
+//! That costs 30 ns a point; leaves of sixteen consecutive points, tried first, have looser boxes, and searching them
 //! costs 70 ns a point more.
 
 use rayon::prelude::*;
 
-use super::{BLOCK, Found};
+use super::{BLOCK, Found, split};
 
 /// Points in a leaf and children of a node.
 pub(crate) const WIDTH: usize = 16;
@@ -55,9 +55,7 @@ impl Index {
         let blocks = positions.par_chunks(BLOCK).zip(leaves.par_chunks_mut(BLOCK / WIDTH));
         let blocks = blocks.zip(boxes.par_chunks_mut(BLOCK / WIDTH)).enumerate();
         blocks.for_each(|(b, ((points, leaves), boxes))| {
-            let ids = (b * BLOCK) as u32..;
-            let mut sites: Vec<Site> = points.iter().zip(ids).map(|(&at, id)| Site { at, id }).collect();
-            split(&mut sites, leaves, boxes);
+            split::leaves(points, (b * BLOCK) as u32, leaves, boxes);
         });
         let mut levels: Vec<Vec<Node>> = Vec::new();
         while boxes.len() > 1 || levels.is_empty() {
@@ -146,48 +144,18 @@ impl Index {
     }
 }
 
-/// A point and its index.
-#[derive(Clone, Copy)]
-struct Site {
-    at: [f64; 3],
-    id: u32,
-}
-
-/// Halves the points along the longest side of their box until they fit into a leaf each, all leaves but the last
-/// of a block full.
-fn split(sites: &mut [Site], leaves: &mut [Leaf], boxes: &mut [Aabb]) {
-    let around = sites.iter().fold(Aabb::EMPTY, |b, s| b.join(&Aabb { min: s.at, max: s.at }));
-    if sites.len() <= WIDTH {
-        leaves[0].fill(sites);
-        boxes[0] = around;
-        return;
-    }
-    let side = |a: usize| around.max[a] - around.min[a];
-    let axis = if side(0) >= side(1) && side(0) >= side(2) {
-        0
-    } else if side(1) >= side(2) {
-        1
-    } else {
-        2
-    };
-    let half = leaves.len().next_power_of_two() / 2;
-    let (near, far) = leaves.split_at_mut(half);
-    let (near_boxes, far_boxes) = boxes.split_at_mut(half);
-    sites
-        .select_nth_unstable_by(half * WIDTH, |a, b| a.at[axis].total_cmp(&b.at[axis]).then(a.id.cmp(&b.id)));
-    let (low, high) = sites.split_at_mut(half * WIDTH);
-    split(low, near, near_boxes);
-    split(high, far, far_boxes);
-}
-
 impl Leaf {
-    const EMPTY: Leaf = Leaf { at: [[f64::INFINITY; WIDTH]; 3], id: [u32::MAX; WIDTH] };
+    pub(super) const EMPTY: Leaf = Leaf { at: [[f64::INFINITY; WIDTH]; 3], id: [u32::MAX; WIDTH] };
 
-    fn fill(&mut self, sites: &[Site]) {
-        for (lane, site) in sites.iter().enumerate() {
-            (0..3).for_each(|a| self.at[a][lane] = site.at[a]);
-            self.id[lane] = site.id;
+    /// Fills its places with points and their indices; returns the box around them.
+    pub(super) fn fill(&mut self, points: impl Iterator<Item = (u32, [f64; 3])>) -> Aabb {
+        let mut around = Aabb::EMPTY;
+        for (lane, (id, at)) in points.enumerate() {
+            (0..3).for_each(|a| self.at[a][lane] = at[a]);
+            self.id[lane] = id;
+            around = around.join(&Aabb { min: at, max: at });
         }
+        around
     }
 
     /// The indices of its points, place by place.
@@ -200,6 +168,23 @@ impl Leaf {
         self.ids().enumerate().map(|(lane, id)| (id, self.point(lane)))
     }
 
+    /// The number of its points.
+    pub(crate) fn len(&self) -> usize {
+        // Nearly all are full.
+        if self.id[WIDTH - 1] != u32::MAX { WIDTH } else { self.ids().count() }
+    }
+
+    /// The components of its points along a vector, place by place; those of empty places mean nothing.
+    #[inline]
+    pub(crate) fn along(&self, vector: [f64; 3]) -> [f64; WIDTH] {
+        let ([x, y, z], [u, v, w]) = (&self.at, vector);
+        let mut out = [0.0; WIDTH];
+        for i in 0..WIDTH {
+            out[i] = u * x[i] + v * y[i] + w * z[i];
+        }
+        out
+    }
+
     /// The point in place `lane`.
     pub(super) fn point(&self, lane: usize) -> [f64; 3] {
         [0, 1, 2].map(|a| self.at[a][lane])
@@ -207,7 +192,7 @@ impl Leaf {
 
     /// Squared distances of the points from `q`; infinite in empty places.
     #[inline(always)]
-    pub(super) fn distances2(&self, q: [f64; 3]) -> [f64; WIDTH] {
+    pub(crate) fn distances2(&self, q: [f64; 3]) -> [f64; WIDTH] {
         let [x, y, z] = &self.at;
         let mut out = [0.0; WIDTH];
         for i in 0..WIDTH {
@@ -253,7 +238,7 @@ impl Aabb {
         boxes.iter().fold(Aabb::EMPTY, |b, c| b.join(c))
     }
 
-    fn join(self, other: &Aabb) -> Aabb {
+    pub(super) fn join(self, other: &Aabb) -> Aabb {
         let less = |a: f64, b: f64| if b < a { b } else { a };
         let more = |a: f64, b: f64| if b > a { b } else { a };
         Aabb {
