@@ -252,6 +252,15 @@ fn every_outline_follows_the_tube_on_every_side() {
 }
 
 #[test]
+fn contours_close_over_the_holes_that_chance_leaves_in_a_slab() {
+    // Points strewn at random, unlike those of blue noise, leave stretches of several spacings bare in some slabs.
+    let scan = Scan::new(Sampling::Area { count: 400_000 }).noise(0.1).seed(1);
+    let sections = cut(&shapes::bracket().sample(&scan).cloud, 2, 40);
+    let open = sections.contours().filter(|(_, c)| !c.closed).count();
+    assert!(open <= 1, "{open} open contours in 40 slices");
+}
+
+#[test]
 fn an_open_sheet_gives_open_contours() {
     let cloud = scanned(&shapes::bent_sheet(60.0), 10_000, 0.05);
     let sections = cut(&cloud, 1, 5);

@@ -42,6 +42,8 @@ pub(crate) struct Sample {
 pub(crate) struct Reach {
     /// Greatest distance along the surface in local spacings: half of the slab's thickness on a steep wall.
     pub half: f64,
+    /// The same for the points of a flat tile.
+    pub far: f64,
     /// Standard deviation of the points from the surface in local spacings.
     pub noise: f64,
     /// Whether to carry along the surface, or to project straight as in the paper.
@@ -114,14 +116,14 @@ impl Carrier {
     }
 
     /// The samples of points of one tile, those beside each other along the curve taken together.
-    pub(crate) fn merged(&self, points: &[[f64; 3]], samples: &mut Vec<Sample>) {
+    pub(crate) fn merged(&self, points: impl Iterator<Item = [f64; 3]>, samples: &mut Vec<Sample>) {
         let Patch { centre, spacing, .. } = self.patch;
         let origin = self.shifted(centre);
         let mut bins = [Bin::EMPTY; BINS];
         let (per_lift, per_bin) = (1.0 / (self.sine * spacing), 1.0 / (MERGED * spacing));
-        for &p in points {
+        for p in points {
             let lift = p[2] * per_lift;
-            if lift.abs() > self.reach.half {
+            if lift.abs() > self.reach.far {
                 continue;
             }
             let raw = sub(self.shifted(p), origin);
@@ -155,7 +157,7 @@ impl Carrier {
 }
 
 /// Length along the curve, in spacings, over which the points of a tile are taken together.
-const MERGED: f64 = 0.8;
+const MERGED: f64 = 1.2;
 /// Places for them: tiles are about four spacings long.
 const BINS: usize = 8;
 

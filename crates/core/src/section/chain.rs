@@ -13,7 +13,12 @@ pub(crate) struct Vertex {
     pub corner: bool,
     /// Whether the surface here is known from badly fitting tangent planes alone.
     pub weak: bool,
+    /// The index of its node; [`NO_NODE`] for none.
+    pub node: u32,
 }
+
+/// No node.
+pub(crate) const NO_NODE: u32 = u32::MAX;
 
 /// An ordered run of vertices.
 #[derive(Clone, Debug, Default, PartialEq)]

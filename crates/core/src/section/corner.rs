@@ -5,10 +5,10 @@
 
 use std::collections::BTreeMap;
 
-use super::band::Band;
-use super::chain::Vertex;
+use super::band::{Band, segment, segments};
+use super::chain::{NO_NODE, Vertex};
 use super::smooth::{Local, regress, spacing_at, width};
-use super::vec2::{along, distance, dot, meet, sub, unit};
+use super::vec2::{along, distance, dot, meet, onto, sub, unit};
 
 /// Least turn at a corner in degrees, without noise and what noise adds.
 const LEAST_TURN: (f64, f64) = (25.0, 60.0);
@@ -39,10 +39,28 @@ pub(super) fn corners(band: &Band, noise: f64) -> Vec<(f64, Vertex)> {
             continue;
         }
         if let Some(vertex) = corner_vertex(band, arc, noise, room) {
-            found.corners.insert(arc.to_bits(), vertex);
+            found.corners.insert(arc_of(band, vertex.at, arc).to_bits(), vertex);
         }
     }
     found.corners.into_iter().map(|(bits, vertex)| (f64::from_bits(bits), vertex)).collect()
+}
+
+/// The arc of a corner found about `near`: a probe is off by up to half a step, and samples of the one side would be
+/// taken for some of the other.
+fn arc_of(band: &Band, at: [f64; 2], near: f64) -> f64 {
+    let (n, middle) = (segments(band), band.vertex(near));
+    let mut best = (f64::INFINITY, near);
+    for step in 0..2 * BESIDE {
+        let v =
+            (middle + n + step).checked_sub(BESIDE).filter(|&v| band.chain.closed || (n..2 * n).contains(&v));
+        let Some(v) = v.map(|v| v % n) else { continue };
+        let (from, to) = segment(band, v);
+        let (share, off) = onto(from, to, at);
+        if off < best.0 {
+            best = (off, band.arcs[v] + share * distance(from, to));
+        }
+    }
+    best.1
 }
 
 /// Corners found so far, by the bits of their arcs, which order as the arcs do; the length of a closed band.
@@ -70,14 +88,34 @@ impl Found {
 
 fn probes(band: &Band) -> Vec<f64> {
     let mut probes = Vec::new();
+    let mut bent = bends(band, 0);
     for (v, &arc) in band.arcs.iter().enumerate() {
-        probes.push(arc);
+        let own = std::mem::replace(&mut bent, bends(band, v + 1));
+        if own {
+            probes.push(arc);
+        }
         let next = band.arcs.get(v + 1).copied().unwrap_or(if band.chain.closed { band.length } else { arc });
-        if next > arc {
+        if next > arc && (own || bent) {
             probes.push(0.5 * (arc + next));
         }
     }
     probes
+}
+
+/// Vertices to either side of one between which a corner shows, in a chain of nodes: two spacings.
+const BESIDE: usize = 3;
+
+/// Whether the chain turns by ten degrees or more at a vertex, or one over the seam of a closed chain.
+fn bends(band: &Band, v: usize) -> bool {
+    let vertices = &band.chain.vertices;
+    let n = vertices.len();
+    let at = |k: usize| vertices[k].at;
+    let (before, own, after) = if band.chain.closed {
+        ((v + n - BESIDE % n) % n, v % n, (v + BESIDE) % n)
+    } else {
+        (v.saturating_sub(BESIDE), v.min(n - 1), (v + BESIDE).min(n - 1))
+    };
+    !straight(sub(at(own), at(before)), sub(at(after), at(own)))
 }
 
 /// The lines that come into and go out of a place, from samples between two arcs.
@@ -135,5 +173,5 @@ fn corner_vertex(band: &Band, arc: f64, noise: f64, room: (f64, f64)) -> Option<
     let reach = (0.7 + noise) * h;
     let mut held = false;
     band.visit(arc - 2.0 * h, arc + 2.0 * h, |_, s| held |= distance(s.raw, at) <= reach);
-    (close && held).then_some(Vertex { at, spacing: h, corner: true, weak: false })
+    (close && held).then_some(Vertex { at, spacing: h, corner: true, weak: false, node: NO_NODE })
 }

@@ -3,19 +3,20 @@
 //! Loose ends are paired greedily by cost, in rounds of growing reach: two that look straight at each other over a gap,
 //! two whose straight continuations meet in a corner, or two so close that it does not matter how they look.
 
-use super::chain::{Chain, Vertex};
+use super::chain::{Chain, NO_NODE, Vertex};
 use super::stray;
 use super::tree::Tree;
 use super::vec2::{along, cross, distance, dot, meet, sub, unit};
 
-/// Joins the ends of chains, the nearest first, and leaves out strays: contours, longest first.
-pub(crate) fn joined(mut chains: Vec<Chain>) -> Vec<Chain> {
+/// Joins the ends of chains, the nearest first, and leaves out strays, also those along `settled` contours: contours,
+/// longest first.
+pub(crate) fn joined(mut chains: Vec<Chain>, settled: &[Chain]) -> Vec<Chain> {
     for reach in [2.5, 5.0, 9.0] {
         if chains.iter().any(|c| !c.closed) {
             chains = join(chains, reach);
         }
     }
-    stray::dropped(chains)
+    stray::dropped(chains, settled)
 }
 
 /// A loose end: where it lies and which way it looks.
@@ -157,7 +158,13 @@ fn follow(chains: &[Chain], ends: &[End], mate: &[Mate], start: usize, seen: &mu
         let Some((next, corner)) = mate[entry ^ 1] else { break };
         if let Some(at) = corner {
             trim(&mut vertices, at, ends[entry ^ 1].out);
-            vertices.push(Vertex { at, spacing: ends[next].spacing, corner: true, weak: false });
+            vertices.push(Vertex {
+                at,
+                spacing: ends[next].spacing,
+                corner: true,
+                weak: false,
+                node: NO_NODE,
+            });
         }
         if next == start {
             closed = true;

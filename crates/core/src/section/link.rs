@@ -4,9 +4,9 @@
 //! greedily by cost, so that the surest come first and ties fall to the lower index.
 
 use super::chain::{Chain, Vertex};
-use super::node::Node;
+use super::node::{Node, Nodes};
 use super::tree::Tree;
-use super::vec2::{dot, sub};
+use super::vec2::{ascending, distance, dot, sub};
 
 /// Greatest length of a link between nodes, in local spacings.
 const LINK: f64 = 2.4;
@@ -14,51 +14,57 @@ const LINK: f64 = 2.4;
 const STRAIGHT: f64 = 0.72;
 
 /// Chains of linked nodes, each node in one of them. Short links come first, and leave few nodes to look for long ones.
-pub(crate) fn chains(nodes: &[Node]) -> Vec<Chain> {
-    let places: Vec<[f64; 2]> = nodes.iter().map(|n| n.at).collect();
-    let tree = Tree::new(&places);
-    let mut ports = vec![[u32::MAX; 2]; nodes.len()];
-    for reach in [0.5 * LINK, LINK] {
-        let mut links = candidates(nodes, &tree, &ports, reach);
-        links.sort_unstable();
-        for Link { a, b, .. } in links {
-            if free(&ports, a) && free(&ports, b) {
-                ports[a.0 as usize][usize::from(a.1)] = b.0;
-                ports[b.0 as usize][usize::from(b.1)] = a.0;
-            }
+pub(crate) fn chains(nodes: &Nodes) -> Vec<Chain> {
+    let Nodes { all, pairs, .. } = nodes;
+    let mut ports = vec![[u32::MAX; 2]; all.len()];
+    let near = |&&(a, b): &&(u32, u32)| {
+        let (a, b) = (&all[a as usize], &all[b as usize]);
+        distance(a.at, b.at) <= 0.5 * LINK * a.spacing
+    };
+    take(all, pairs.iter().filter(near).copied(), &mut ports);
+    take(all, far_pairs(all, &ports).into_iter(), &mut ports);
+    walk(all, &ports)
+}
+
+/// Pairs of nodes with loose ends, at most [`LINK`] apart.
+fn far_pairs(nodes: &[Node], ports: &[Ports]) -> Vec<(u32, u32)> {
+    let loose: Vec<u32> =
+        (0..nodes.len() as u32).filter(|&i| ports[i as usize].contains(&u32::MAX)).collect();
+    let places: Vec<[f64; 2]> = loose.iter().map(|&i| nodes[i as usize].at).collect();
+    let (tree, mut found, mut pairs) = (Tree::new(&places), Vec::new(), Vec::new());
+    for (k, &a) in loose.iter().enumerate() {
+        let node = &nodes[a as usize];
+        tree.within(node.at, LINK * node.spacing, &mut found);
+        pairs.extend(found.iter().filter(|&&j| j as usize > k).map(|&j| (a, loose[j as usize])));
+    }
+    pairs
+}
+
+/// Takes the links that the pairs allow, the cheapest first, of equal ones the first.
+fn take(nodes: &[Node], pairs: impl Iterator<Item = (u32, u32)>, ports: &mut [Ports]) {
+    let candidate = |(a, b): (u32, u32)| {
+        let (cost, ahead, behind) = link(&nodes[a as usize], &nodes[b as usize])?;
+        let both = ((a, ahead), (b, behind));
+        (free(ports, both.0) && free(ports, both.1)).then_some((cost, both))
+    };
+    let (costs, links): (Vec<f64>, Vec<(Port, Port)>) = pairs.filter_map(candidate).unzip();
+    for i in ascending(costs.into_iter()) {
+        let (a, b) = links[i as usize];
+        if free(ports, a) && free(ports, b) {
+            ports[a.0 as usize][usize::from(a.1)] = b.0;
+            ports[b.0 as usize][usize::from(b.1)] = a.0;
         }
     }
-    walk(nodes, &ports)
 }
+
+/// The neighbours ahead of a node and behind it; `u32::MAX` for none.
+type Ports = [u32; 2];
 
 /// A node and one of its two ports: ahead or behind.
 type Port = (u32, bool);
 
-fn free(ports: &[[u32; 2]], (node, port): Port) -> bool {
+fn free(ports: &[Ports], (node, port): Port) -> bool {
     ports[node as usize][usize::from(port)] == u32::MAX
-}
-
-/// A link that may be, in the order they are tried: by cost, then by index.
-#[derive(PartialEq, Eq, PartialOrd, Ord)]
-struct Link {
-    /// The bits of the cost, which is not negative.
-    cost: u64,
-    a: Port,
-    b: Port,
-}
-
-fn candidates(nodes: &[Node], tree: &Tree<2>, ports: &[[u32; 2]], reach: f64) -> Vec<Link> {
-    let (mut links, mut found) = (Vec::new(), Vec::new());
-    let loose = |i: u32| ports[i as usize].contains(&u32::MAX);
-    for (a, i) in nodes.iter().zip(0u32..).filter(|(_, i)| loose(*i)) {
-        tree.within(a.at, reach * a.spacing, &mut found);
-        links.extend(found.iter().filter(|&&j| j > i && loose(j)).filter_map(|&j| {
-            let (cost, ahead, behind) = link(a, &nodes[j as usize])?;
-            let link = Link { cost: cost.to_bits(), a: (i, ahead), b: (j, behind) };
-            (free(ports, link.a) && free(ports, link.b)).then_some(link)
-        }));
-    }
-    links
 }
 
 /// The cost of a link, and the ports it takes.
@@ -74,7 +80,7 @@ fn link(a: &Node, b: &Node) -> Option<(f64, bool, bool)> {
     Some((cost, ca < 0.0, cb < 0.0))
 }
 
-fn walk(nodes: &[Node], ports: &[[u32; 2]]) -> Vec<Chain> {
+fn walk(nodes: &[Node], ports: &[Ports]) -> Vec<Chain> {
     let mut seen = vec![false; nodes.len()];
     let mut chains = Vec::new();
     let loose = |i: &usize| ports[*i].contains(&u32::MAX);
@@ -93,6 +99,7 @@ fn walk(nodes: &[Node], ports: &[[u32; 2]]) -> Vec<Chain> {
                 spacing: nodes[at].spacing,
                 corner: false,
                 weak: nodes[at].weak,
+                node: at as u32,
             });
             let next = if ports[at][0] == from { ports[at][1] } else { ports[at][0] };
             let next =

@@ -4,8 +4,9 @@
 //! of curve need no node of their own.
 
 use super::carry::Sample;
+use super::chain::NO_NODE;
 use super::tree::Tree;
-use super::vec2::{along, distance, dot, left, local, unit};
+use super::vec2::{along, ascending, distance, dot, left, local, unit};
 
 /// A place on the curve that several samples agree on.
 #[derive(Clone, Copy, Debug)]
@@ -23,34 +24,55 @@ pub(crate) struct Node {
 /// Cosine of the largest angle between samples of one piece of curve.
 const ALIKE: f64 = 0.8;
 
+/// Nodes with those beside each other.
+#[derive(Default)]
+pub(crate) struct Nodes {
+    /// In the order they were taken.
+    pub all: Vec<Node>,
+    /// Pairs of nodes whose samples lie near each other, the lower index first.
+    pub pairs: Vec<(u32, u32)>,
+    /// For each sample the node that shows its piece of curve; [`NO_NODE`] for none.
+    pub owners: Vec<u32>,
+}
+
 /// Nodes about 0.7 spacings apart: a short line fitted to the samples around each, where the surface passes through
 /// (there are samples from both sides of the plane). `tree` holds the feet of the samples.
-pub(crate) fn nodes(samples: &[Sample], tree: &Tree<2>) -> Vec<Node> {
-    let rank = |(s, i): (&Sample, u32)| (s.weak, s.lift.abs().to_bits(), i);
-    let mut order: Vec<(bool, u64, u32)> = samples.iter().zip(0..).map(rank).collect();
-    order.sort_unstable();
-    let (mut nodes, mut found): (Vec<Node>, Vec<u32>) = (Vec::new(), Vec::new());
+pub(crate) fn nodes(samples: &[Sample], tree: &Tree<2>) -> Nodes {
+    let (mut nodes, mut found) = (Nodes::default(), Vec::new());
+    nodes.owners = vec![NO_NODE; samples.len()];
     let mut state = vec![OPEN; samples.len()];
-    for (_, _, i) in order {
+    for i in order(samples) {
         let s = &samples[i as usize];
         if state[i as usize] == COVERED {
             continue;
         }
         tree.within(s.foot, 1.8 * s.spacing, &mut found);
         let Some(node) = agree(samples, s, &found) else { continue };
-        let beside = |&j: &u32| nodes.get(state[j as usize] as usize).is_some_and(|o| o.repeats(&node));
-        if found.iter().any(beside) {
+        let beside = |&j: &u32| nodes.all.get(state[j as usize] as usize).is_some_and(|o| o.repeats(&node));
+        if let Some(&j) = found.iter().find(|j| beside(j)) {
+            nodes.owners[i as usize] = state[j as usize];
             continue;
         }
-        state[i as usize] = nodes.len() as u32;
+        let own = nodes.all.len() as u32;
+        let others = found.iter().map(|&j| state[j as usize]).filter(|&o| o < own);
+        nodes.pairs.extend(others.map(|other| (other, own)));
+        state[i as usize] = own;
+        nodes.owners[i as usize] = own;
         for &j in &found {
             if state[j as usize] == OPEN && node.covers(&samples[j as usize]) {
                 state[j as usize] = COVERED;
+                nodes.owners[j as usize] = own;
             }
         }
-        nodes.push(node);
+        nodes.all.push(node);
     }
     nodes
+}
+
+/// The samples in the order they are tried: sound ones first, those nearest to the plane first, ties by index.
+fn order(samples: &[Sample]) -> impl Iterator<Item = u32> {
+    let rank = |s: &Sample| s.lift.abs() / (1.0 + s.lift.abs()) + if s.weak { 1.0 } else { 0.0 };
+    ascending(samples.iter().map(rank))
 }
 
 /// A sample that has no node, and one that needs none; else its state is the index of its node.

@@ -1,5 +1,5 @@
-//! From the samples of one slab to the outlines of its contours. A slab in which all contours are closed at once is drawn
-//! once; where ends are left, smooth ends are joined, and the slab is drawn again.
+//! From the samples of one slab to the outlines of its contours. A contour that is closed at once is drawn once; where
+//! ends are left, smooth ends are joined, and drawn again.
 
 use super::band::{self, Band, Growth};
 use super::carry::Sample;
@@ -23,22 +23,41 @@ pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Tex
     let feet: Vec<[f64; 2]> = samples.iter().map(|s| s.foot).collect();
     let tree = Tree::new(&feet);
     let nodes = node::nodes(samples, &tree);
-    let chains: Vec<Chain> = join::joined(link::chains(&nodes)).into_iter().map(tidy::tidy).collect();
+    let chains = link::chains(&nodes);
+    let chains = join::joined(chains, &[]).into_iter().map(tidy::tidy).collect();
+    let mut free = vec![true; samples.len()];
+    let mut bands = band::assign(samples, &nodes.owners, &free, chains);
     let middle = |b: &Band| tidy::tidy(smooth::middle(b, texture.noise));
-    let mut bands = band::assign(samples, &tree, chains);
-    let mut smooth: Vec<Chain> = bands.iter().map(middle).collect();
-    if !smooth.iter().all(|c| c.closed) {
-        // Smooth ends look the right way, and may now meet; then samples go to smooth contours, not to chains of nodes.
-        let joined = join::joined(smooth.into_iter().filter(drawable).collect());
-        bands = band::assign(samples, &tree, joined);
-        smooth = bands.iter().map(middle).collect();
+    let mut lines: Vec<Chain> = bands.iter().map(middle).collect();
+    if !lines.iter().all(|c| c.closed) {
+        again(samples, &nodes.owners, &mut free, &mut bands, &mut lines, middle);
     }
     if params.outline == Outline::Middle && params.side == Side::Middle {
-        return drawn(&bands, smooth);
+        return drawn(&bands, lines);
     }
-    let bands = band::assign(samples, &tree, smooth.into_iter().filter(drawable).collect());
+    free.fill(true);
+    let bands = band::assign(samples, &nodes.owners, &free, lines.into_iter().filter(drawable).collect());
     let outlines = bands.iter().map(|b| outline(b, params)).collect();
     drawn(&bands, outlines)
+}
+
+/// Draws the contours that are open once more, through the samples that no closed one has: smooth ends look the right
+/// way, and may now meet; and samples go to smooth contours, not to chains of nodes.
+fn again(
+    samples: &[Sample],
+    owners: &[u32],
+    free: &mut [bool],
+    bands: &mut Vec<Band>,
+    lines: &mut Vec<Chain>,
+    middle: impl Fn(&Band) -> Chain,
+) {
+    let (settled, open): (Vec<_>, Vec<_>) = bands.drain(..).zip(lines.drain(..)).partition(|(_, c)| c.closed);
+    (*bands, *lines) = settled.into_iter().unzip();
+    bands.iter().flat_map(|b| &b.marks).for_each(|m| free[m.source as usize] = false);
+    let open = open.into_iter().map(|(_, line)| line).filter(drawable).collect();
+    let redrawn = band::assign(samples, owners, free, join::joined(open, lines));
+    lines.extend(redrawn.iter().map(middle));
+    bands.extend(redrawn);
 }
 
 fn drawable(chain: &Chain) -> bool {
@@ -47,7 +66,9 @@ fn drawable(chain: &Chain) -> bool {
 
 fn drawn(bands: &[Band], chains: Vec<Chain>) -> Vec<Drawn> {
     let both = bands.iter().zip(chains).filter(|(_, chain)| drawable(chain));
-    both.map(|(band, chain)| Drawn { growth: band.growth(), chain }).collect()
+    let mut drawn: Vec<Drawn> = both.map(|(band, chain)| Drawn { growth: band.growth(), chain }).collect();
+    drawn.sort_by_cached_key(|d| std::cmp::Reverse(d.chain.length().to_bits()));
+    drawn
 }
 
 fn outline(band: &Band, params: &SectionParams) -> Chain {

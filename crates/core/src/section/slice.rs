@@ -1,5 +1,7 @@
 //! Slicing (section 2): the frame of the slices, and which points each slab holds.
 
+use rayon::prelude::*;
+
 use super::params::Axis;
 use super::spread::Spread;
 use crate::math::eigen3::eigen3;
@@ -107,14 +109,18 @@ pub(crate) struct Slabs {
 
 impl Slabs {
     /// Sorts what spans some heights into the slabs around ascending `planes`; slabs may overlap.
-    pub(crate) fn of(spans: impl Iterator<Item = (f64, f64)> + Clone, planes: &[f64], half: f64) -> Self {
+    pub(crate) fn of(
+        spans: impl IndexedParallelIterator<Item = (f64, f64)>,
+        planes: &[f64],
+        half: f64,
+    ) -> Self {
         let range = |(low, high): (f64, f64)| {
             let first = planes.partition_point(|&z| z < low - half);
             (first, planes[first..].iter().take_while(|&&z| z <= high + half).count())
         };
+        let ranges: Vec<(usize, usize)> = spans.map(range).collect();
         let mut starts = vec![0usize; planes.len() + 1];
-        for span in spans.clone() {
-            let (first, count) = range(span);
+        for &(first, count) in &ranges {
             starts[first + 1..first + 1 + count].iter_mut().for_each(|s| *s += 1);
         }
         for k in 0..planes.len() {
@@ -122,8 +128,7 @@ impl Slabs {
         }
         let mut next = starts.clone();
         let mut indices = vec![0u32; starts[planes.len()]];
-        for (i, span) in spans.enumerate() {
-            let (first, count) = range(span);
+        for (i, (first, count)) in ranges.into_iter().enumerate() {
             for slot in &mut next[first..first + count] {
                 indices[*slot] = i as u32;
                 *slot += 1;
@@ -153,7 +158,7 @@ mod tests {
     fn slabs_hold_what_comes_within_their_half_thickness() {
         let span = |i: u32| (f64::from(i * 37 % 100) / 10.0, f64::from(i * 37 % 100 + i % 3) / 10.0);
         let planes = [-3.0, 2.0, 2.5, 9.0];
-        let slabs = Slabs::of((0..100).map(span), &planes, 1.0);
+        let slabs = Slabs::of((0..100).into_par_iter().map(span), &planes, 1.0);
         for (plane, z) in planes.iter().enumerate() {
             let near = |&i: &u32| span(i).0 <= z + 1.0 && span(i).1 >= z - 1.0;
             assert_eq!(slabs.of_plane(plane), (0..100).filter(near).collect::<Vec<u32>>());

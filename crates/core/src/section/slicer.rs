@@ -13,10 +13,14 @@ use super::tile::{Tile, Tiles};
 use super::{adaptive, outline};
 use crate::error::Error;
 use crate::frame::Localised;
-use crate::neighbors::{Index, WIDTH};
+use crate::neighbors::Index;
 
 /// Fewest points of a slab that a curve is sought in.
 pub(super) const FEWEST: usize = 4;
+
+/// How much farther the points of a flat tile are carried than those with a plane each, unless a thickness is given: the
+/// plane of sixteen points is sure enough, and points strewn at random leave holes in a thin slab.
+const FAR: f64 = 2.0;
 
 /// A cloud to be cut across one axis, with what holds for all slices.
 pub(super) struct Slicer<'a> {
@@ -86,7 +90,7 @@ impl<'a> Slicer<'a> {
         order.sort_by(|&a, &b| heights[a].total_cmp(&heights[b]).then(a.cmp(&b)));
         let ascending: Vec<f64> = order.iter().map(|&k| (heights[k] - self.base) / self.scale).collect();
         let tiles = &self.tiles.tiles;
-        let slabs = Slabs::of(tiles.iter().map(|t| t.heights), &ascending, self.half());
+        let slabs = Slabs::of(tiles.par_iter().map(|t| t.heights), &ascending, self.half());
         let wanted = slabs.union(tiles.len());
         let (points, noise) = (&self.local.positions, self.texture.noise);
         let surface = surface::fit(points, self.index, &self.tiles, &wanted, noise);
@@ -126,26 +130,21 @@ impl<'a> Slicer<'a> {
         let half = self.half();
         let (mut count, mut samples) = (0, Vec::with_capacity(4 * slab.len()));
         for &leaf in slab {
-            let mut places = [[0.0; 3]; WIDTH];
-            let mut points = 0;
-            for (place, (_, p)) in places.iter_mut().zip(self.index.leaves[leaf as usize].points()) {
-                let [x, y, z] = self.frame.coordinates(p);
-                *place = [x, y, z - height];
-                points += 1;
-            }
-            let turned = &places[..points];
-            count += turned.iter().filter(|p| p[2].abs() <= half).count();
+            let own = &self.index.leaves[leaf as usize];
+            let [x, y, z] = self.frame.axes.map(|axis| own.along(axis));
+            let points = (0..own.len()).map(|k| [x[k], y[k], z[k] - height]);
+            count += points.clone().filter(|p| p[2].abs() <= half).count();
             let tile = surface.tile(leaf);
             if tile.flat {
                 let Some(carrier) = self.carrier(&tile.patch, height) else { continue };
                 if self.merges() {
-                    carrier.merged(turned, &mut samples);
+                    carrier.merged(points, &mut samples);
                 } else {
-                    samples.extend(turned.iter().filter_map(|&p| carrier.sample(p)));
+                    samples.extend(points.filter_map(|p| carrier.sample(p)));
                 }
             } else if let Some(patches) = surface.fine(leaf as usize) {
-                let sample = |(&p, patch)| self.carrier(patch, height)?.sample(p);
-                samples.extend(turned.iter().zip(patches).filter_map(sample));
+                let sample = |(p, patch)| self.carrier(patch, height)?.sample(p);
+                samples.extend(points.zip(patches).filter_map(sample));
             }
         }
         (count, samples)
@@ -165,6 +164,7 @@ impl<'a> Slicer<'a> {
         let half = self.params.thickness.map(|t| 0.5 * t / self.scale);
         let reach = Reach {
             half: half.map_or(self.params.reach_spacings, |h| h / patch.spacing),
+            far: half.map_or(FAR * self.params.reach_spacings, |h| h / patch.spacing),
             noise: self.texture.noise,
             carry: self.params.carry,
         };

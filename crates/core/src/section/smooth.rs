@@ -1,7 +1,7 @@
 //! The middle of a band: local regression between its corners.
 
 use super::band::Band;
-use super::chain::{Chain, Vertex};
+use super::chain::{Chain, NO_NODE, Vertex};
 use super::corner::corners;
 use super::vec2::distance;
 
@@ -115,16 +115,8 @@ pub(crate) fn middle(band: &Band, noise: f64) -> Chain {
 
 /// Half-width of the kernel in local spacings: wider with noise and on slanted surfaces.
 pub(super) fn width(band: &Band, arc: f64, spacing: f64, noise: f64) -> f64 {
-    1.8 + 3.0 * noise + 3.0 * (blur(band, arc, spacing) - 0.3 * noise).clamp(0.0, 1.0)
-}
-
-fn blur(band: &Band, arc: f64, spacing: f64) -> f64 {
-    let (mut sum, mut count) = (0.0, 0.0);
-    band.visit(arc - 1.5 * spacing, arc + 1.5 * spacing, |_, sample| {
-        sum += sample.blur;
-        count += 1.0;
-    });
-    if count > 0.0 { sum / count } else { 0.0 }
+    let blur = band.blur(arc - 1.5 * spacing, arc + 1.5 * spacing);
+    1.8 + 3.0 * noise + 3.0 * (blur - 0.3 * noise).clamp(0.0, 1.0)
 }
 
 /// Spacing of the chain at an arc.
@@ -145,7 +137,7 @@ fn stretch(band: &Band, noise: f64, from: f64, to: f64, corner: bool, vertices: 
         if let Some(local) = parabola(band, arc, width(band, arc, local_h, noise) * local_h, low, high) {
             // Far from the polyline the regression runs away on too few samples.
             let at = if distance(local.at, band.at(arc)) <= local_h { local.at } else { band.at(arc) };
-            vertices.push(Vertex { at, spacing: local_h, corner: false, weak: false });
+            vertices.push(Vertex { at, spacing: local_h, corner: false, weak: false, node: NO_NODE });
         }
     }
 }
@@ -153,5 +145,5 @@ fn stretch(band: &Band, noise: f64, from: f64, to: f64, corner: bool, vertices: 
 fn end_vertex(band: &Band, noise: f64) -> Option<Vertex> {
     let h = spacing_at(band, band.length);
     regress(band, band.length, width(band, band.length, h, noise) * h, f64::NEG_INFINITY, f64::INFINITY)
-        .map(|local| Vertex { at: local.at, spacing: h, corner: false, weak: false })
+        .map(|local| Vertex { at: local.at, spacing: h, corner: false, weak: false, node: NO_NODE })
 }

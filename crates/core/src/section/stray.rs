@@ -6,8 +6,8 @@ use super::tree::Tree;
 /// Fewest vertices, and least length in spacings, of an open chain that says something.
 const SHORT: (usize, f64) = (4, 4.0);
 
-/// The chains but for strays, longest first.
-pub(crate) fn dropped(mut chains: Vec<Chain>) -> Vec<Chain> {
+/// The chains but for strays, longest first. What runs along one of the `settled` is a stray too.
+pub(crate) fn dropped(mut chains: Vec<Chain>, settled: &[Chain]) -> Vec<Chain> {
     chains.sort_by_cached_key(|c| std::cmp::Reverse(c.length().to_bits()));
     chains.retain(|c| c.closed || !(short(c) || weak(c)));
     if chains.iter().all(|c| c.closed) {
@@ -15,12 +15,13 @@ pub(crate) fn dropped(mut chains: Vec<Chain>) -> Vec<Chain> {
     }
     let mut owners = Vec::new();
     let mut places = Vec::new();
-    for (k, chain) in chains.iter().enumerate() {
+    for (k, chain) in chains.iter().chain(settled).enumerate() {
         places.extend(chain.vertices.iter().map(|v| v.at));
         owners.resize(places.len(), k);
     }
     let tree = Tree::new(&places);
     let mut kept = vec![false; chains.len()];
+    kept.resize(chains.len() + settled.len(), true);
     for (k, chain) in chains.iter().enumerate() {
         // Longer chains have been judged.
         kept[k] = chain.closed || !runs_along(chain, &tree, |i| kept[owners[i as usize]]);

@@ -28,7 +28,7 @@ pub(crate) struct Texture {
 /// The patches of the points of some leaves.
 pub(crate) struct Surface<'a> {
     tiles: &'a Tiles,
-    /// For each leaf that is not flat and was asked for where its patches begin; else `NONE`.
+    /// For each leaf beside a crease, or that is not flat and was asked for, where its patches begin; else `NONE`.
     starts: Vec<u32>,
     /// Place by place, [`WIDTH`] for each of those leaves.
     patches: Vec<Patch>,
@@ -97,9 +97,12 @@ pub(crate) fn fit<'a>(
     wanted: &[u32],
     noise: f64,
 ) -> Surface<'a> {
-    let leaves: Vec<u32> = wanted.iter().copied().filter(|&l| !tiles.tiles[l as usize].flat).collect();
     let mut starts = vec![NONE; tiles.tiles.len()];
-    leaves.iter().zip((0..).step_by(WIDTH)).for_each(|(&leaf, start)| starts[leaf as usize] = start);
+    tiles.mixed.iter().zip((0..).step_by(WIDTH)).for_each(|(m, start)| starts[m.leaf as usize] = start);
+    let unknown = |&l: &u32| !tiles.tiles[l as usize].flat && starts[l as usize] == NONE;
+    let leaves: Vec<u32> = wanted.iter().copied().filter(unknown).collect();
+    let first = (tiles.mixed.len() * WIDTH) as u32;
+    leaves.iter().zip((first..).step_by(WIDTH)).for_each(|(&leaf, start)| starts[leaf as usize] = start);
     let count = ((12.0 + 50.0 * noise) as usize).clamp(FIRST, MOST) - 1;
     let width = count.min(points.len().saturating_sub(1));
     let fits: Vec<Fits> = nearest_leaves(index, points, count, &leaves, |first, lists| {
@@ -138,7 +141,8 @@ impl Fits {
 
 /// Lets badly fitting points adopt, all from the planes as they were fitted.
 fn adopt_all<'a>(points: &[[f64; 3]], mut own: Surface<'a>, fits: Vec<Fits>, noise: f64) -> Surface<'a> {
-    own.patches = fits.iter().flat_map(|f| &f.patches).copied().collect();
+    own.patches = own.tiles.mixed.iter().flat_map(|m| m.patches).collect();
+    own.patches.extend(fits.iter().flat_map(|f| &f.patches));
     let better = |fits: &Fits| {
         let mut start = 0;
         let visit = |&(i, count): &(u32, u32)| {

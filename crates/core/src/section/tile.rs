@@ -1,5 +1,6 @@
 //! The leaves of the index as tiles of the surface: one plane for its sixteen points where they lie on it as well as noise
-//! explains. On a large cloud that is nearly all of them, and costs a hundredth of a plane for each point.
+//! explains. On a large cloud that is nearly all of them, and costs a hundredth of a plane for each point. Beside a crease
+//! the points of a tile may lie on the planes of several flat ones next to it, each on its own.
 
 use rayon::prelude::*;
 
@@ -29,10 +30,21 @@ pub(crate) struct Tile {
     pub heights: (f64, f64),
 }
 
+/// A leaf whose points lie on planes next to it.
+#[derive(Clone, Debug)]
+pub(crate) struct Mixed {
+    /// Its number.
+    pub leaf: u32,
+    /// The planes, place by place.
+    pub patches: [Patch; WIDTH],
+}
+
 /// All leaves of an index.
 pub(crate) struct Tiles {
     /// In the order of the leaves.
     pub tiles: Vec<Tile>,
+    /// Those beside creases, in the same order.
+    pub mixed: Vec<Mixed>,
     /// For each point where it stands among the places of the leaves of its block.
     places: Vec<u16>,
 }
@@ -42,16 +54,22 @@ impl Tiles {
     pub(crate) fn new(index: &Index, noise: f64, axis: [f64; 3]) -> Self {
         let mut places = vec![0; index.len()];
         let leaves = index.leaves.par_chunks(BLOCK / WIDTH);
-        let block = |(places, leaves): (&mut [u16], &[Leaf])| {
+        let block = |(b, (places, leaves)): (usize, (&mut [u16], &[Leaf]))| {
             for (l, leaf) in leaves.iter().enumerate() {
                 for (lane, id) in leaf.ids().enumerate() {
                     places[id as usize % BLOCK] = (l * WIDTH + lane) as u16;
                 }
             }
-            tiles(leaves, noise, axis)
+            tiles(leaves, (b * (BLOCK / WIDTH)) as u32, noise, axis)
         };
-        let tiles = places.par_chunks_mut(BLOCK).zip(leaves).map(block).collect::<Vec<_>>().concat();
-        Self { tiles, places }
+        let blocks: Vec<(Vec<Tile>, Vec<Mixed>)> =
+            places.par_chunks_mut(BLOCK).zip(leaves).enumerate().map(block).collect();
+        let (mut tiles, mut mixed) = (Vec::with_capacity(index.leaves.len()), Vec::new());
+        for (own, beside) in blocks {
+            tiles.extend(own);
+            mixed.extend(beside);
+        }
+        Self { tiles, mixed, places }
     }
 
     /// The leaf that holds a point, and its place there.
@@ -63,15 +81,16 @@ impl Tiles {
 
 /// The tiles of one block. A tile counts as flat with the three next to it, as a bend that noise hides in one of them
 /// shows over all four; or alone, beside a crease, where it continues four flat ones.
-fn tiles(leaves: &[Leaf], noise: f64, axis: [f64; 3]) -> Vec<Tile> {
+fn tiles(leaves: &[Leaf], first: u32, noise: f64, axis: [f64; 3]) -> (Vec<Tile>, Vec<Mixed>) {
     let (mut tiles, spreads): (Vec<Tile>, Vec<Spread>) =
         leaves.iter().map(|l| Tile::new(l, noise, axis)).unzip();
+    let widest = even(&mut tiles);
     let mut planes: Vec<Patch> = Vec::new();
     let mut rest = Vec::new();
     for (q, spreads) in spreads.chunks(QUAD).enumerate() {
         let own = q * QUAD..q * QUAD + spreads.len();
         let quad = quad(&tiles[own.clone()], spreads);
-        if quad.residual <= (1.15 * noise + 0.05) * quad.spacing {
+        if quad.spacing <= widest && quad.residual <= (1.15 * noise + 0.05) * quad.spacing {
             for tile in tiles[own].iter_mut().filter(|t| t.narrow) {
                 tile.patch.normal = quad.normal;
             }
@@ -88,8 +107,48 @@ fn tiles(leaves: &[Leaf], noise: f64, axis: [f64; 3]) -> Vec<Tile> {
             tile.patch.normal = plane.normal;
         }
     }
-    tiles
+    let creased = |(tile, leaf): (&Tile, &Leaf)| if tile.flat { None } else { shared(leaf, &planes, noise) };
+    let patches = tiles.iter().zip(leaves).map(creased);
+    let mixed = patches.zip(first..).filter_map(|(patches, leaf)| Some(Mixed { leaf, patches: patches? }));
+    let mixed = mixed.collect();
+    (tiles, mixed)
 }
+
+/// The plane nearby that each point of a leaf lies on, if there is one for all of them.
+fn shared(leaf: &Leaf, planes: &[Patch], noise: f64) -> Option<[Patch; WIDTH]> {
+    if noise > NOISY {
+        return None;
+    }
+    let mut best = [(farthest(noise), usize::MAX); WIDTH];
+    for (k, plane) in planes.iter().enumerate() {
+        let (base, reach) = (vec3::dot(plane.normal, plane.centre), BESIDE * plane.spacing);
+        let offs = leaf.along(plane.normal).map(|x| (x - base).abs() / plane.spacing);
+        let apart = leaf.distances2(plane.centre);
+        for (best, (off, apart)) in best.iter_mut().zip(offs.into_iter().zip(apart)) {
+            if off <= best.0 && apart <= reach * reach {
+                *best = (off, k);
+            }
+        }
+    }
+    let mut patches = [Patch::NONE; WIDTH];
+    for (slot, (_, k)) in patches.iter_mut().zip(&best[..leaf.len()]) {
+        *slot = *planes.get(*k)?;
+    }
+    Some(patches)
+}
+
+/// Tiles much wider than most of a block are not flat: theirs are points of two places, with nothing known between.
+/// Returns the spacing up to which they are taken.
+fn even(tiles: &mut [Tile]) -> f64 {
+    let mut spacings: Vec<f64> = tiles.iter().map(|t| t.patch.spacing).collect();
+    let middle = spacings.len() / 2;
+    let widest = WIDE * *spacings.select_nth_unstable_by(middle, f64::total_cmp).1;
+    tiles.iter_mut().filter(|t| t.patch.spacing > widest).for_each(|t| t.flat = false);
+    widest
+}
+
+/// How much wider than the median of its block a tile may be.
+const WIDE: f64 = 3.0;
 
 /// Leaves next to each other that show together whether they are flat.
 const QUAD: usize = 4;
@@ -109,7 +168,13 @@ fn continues(leaf: &Leaf, tile: &Patch, plane: &Patch, noise: f64) -> bool {
     let off = |p: [f64; 3]| vec3::dot(vec3::sub(p, plane.centre), plane.normal).abs() / plane.spacing;
     vec3::distance(tile.centre, plane.centre) <= BESIDE * plane.spacing
         && off(tile.centre) <= 0.5 * noise + 0.05
-        && leaf.points().all(|(_, p)| off(p) <= farthest(noise))
+        && most_off(leaf, plane) <= farthest(noise) * plane.spacing
+}
+
+/// The greatest distance of the points of a leaf from a plane.
+fn most_off(leaf: &Leaf, plane: &Patch) -> f64 {
+    let base = vec3::dot(plane.normal, plane.centre);
+    leaf.along(plane.normal)[..leaf.len()].iter().fold(0.0, |most: f64, x| most.max((x - base).abs()))
 }
 
 /// How far from the middle of four flat tiles another may continue them, in spacings.
@@ -122,8 +187,9 @@ fn farthest(noise: f64) -> f64 {
 
 impl Tile {
     fn new(leaf: &Leaf, noise: f64, axis: [f64; 3]) -> (Self, Spread) {
-        let heights = leaf.points().map(|(_, p)| vec3::dot(axis, p));
-        let heights = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)));
+        let heights = leaf.along(axis)[..leaf.len()]
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &z| (l.min(z), h.max(z)));
         let spread = spread(leaf);
         let Spread { weight, centre, tensor } = spread;
         let (least, normal) = spread::normal(&tensor);
@@ -131,20 +197,20 @@ impl Tile {
         // Points spread evenly over a rectangle have a twelfth of its squared sides as variances.
         let spacing = (12.0 * sides.product.sqrt() / weight.max(1.0)).sqrt();
         let residual = (least.max(0.0) * weight / (weight - 3.0).max(1.0)).sqrt();
-        let off = |p: [f64; 3]| vec3::dot(vec3::sub(p, centre), normal).abs();
+        let patch = Patch { centre, normal, residual, spacing };
         let flat = noise <= NOISY
             && weight >= FEWEST
             && residual <= good(noise) * spacing
-            && leaf.points().all(|(_, p)| off(p) <= farthest(noise) * spacing);
+            && most_off(leaf, &patch) <= farthest(noise) * spacing;
         let narrow = sides.shorter < NARROW * spacing * spacing;
-        (Self { patch: Patch { centre, normal, residual, spacing }, flat, narrow, heights }, spread)
+        (Self { patch, flat, narrow, heights }, spread)
     }
 }
 
 /// The spread of the points of a leaf; of a full one in four sums side by side, which compilers vectorise.
 fn spread(leaf: &Leaf) -> Spread {
     let origin = leaf.points().next().map_or([0.0; 3], |(_, p)| p);
-    if leaf.ids().count() < WIDTH {
+    if leaf.len() < WIDTH {
         return Spread::of(leaf.points().map(|(_, p)| (p, 1.0)), origin);
     }
     let mut sums = [[0.0; 4]; 9];

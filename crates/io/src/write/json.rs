@@ -120,16 +120,22 @@ pub(super) struct Number(pub(super) f64);
 
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.0.is_finite() { write!(f, "{:?}", self.0) } else { f.write_str("null") }
+        f.write_str(digits(&mut zmij::Buffer::new(), self.0))
     }
+}
+
+/// The shortest decimals that give the same number back.
+fn digits(buffer: &mut zmij::Buffer, number: f64) -> &str {
+    if number.is_finite() { buffer.format_finite(number) } else { "null" }
 }
 
 pub(super) struct Point<'a>(pub(super) &'a [f64; 3]);
 
 impl fmt::Display for Point<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [x, y, z] = self.0.map(Number);
-        write!(f, "[{x}, {y}, {z}]")
+        let [mut x, mut y, mut z] = [(); 3].map(|()| zmij::Buffer::new());
+        let texts = [digits(&mut x, self.0[0]), digits(&mut y, self.0[1]), digits(&mut z, self.0[2])];
+        ["[", texts[0], ", ", texts[1], ", ", texts[2], "]"].into_iter().try_for_each(|t| f.write_str(t))
     }
 }
 
