@@ -9,9 +9,9 @@ use crate::resolution::Resolution;
 
 /// Greatest distance between stations, spacings.
 const STEP: f64 = 0.6;
-/// Stations for each point of a strip beyond which they lie farther apart: points of two scales can make a strip of any number
-/// of spacings.
-const A_POINT: f64 = 16.0;
+/// Stations for each source of a strip beyond which they lie farther apart: points of two scales can make a strip of any number
+/// of spacings, and of as many points. Links between points of one scale are less than half as long.
+const A_SOURCE: usize = 64;
 
 /// A place on a strip.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,24 +82,34 @@ fn append(all: &mut Vec<Station>, number: u32, strip: &Strip, step: f64) {
 }
 
 /// The points of a strip, the closing segment of a loop included, none farther than `step` from the next where
-/// [`A_POINT`] allows it.
+/// [`A_SOURCE`] allows it.
 fn places(strip: &Strip, step: f64) -> Vec<[f64; 3]> {
-    let mut places = Vec::with_capacity(strip.points.len());
-    let count = strip.points.len();
+    let most = A_SOURCE * strip.sources.len().max(2);
+    let points = thinned(strip, most);
+    let count = points.len();
     let segments = if strip.closed { count } else { count.saturating_sub(1) };
-    let ends = |i: usize| (strip.points[i], strip.points[(i + 1) % count]);
+    let ends = |i: usize| (points[i], points[(i + 1) % count]);
     let length: f64 = (0..segments).map(ends).map(|(a, b)| norm(sub(b, a))).sum();
-    let most = A_POINT * count as f64;
-    let step = step.max(length / most);
+    let step = step.max(length / most as f64);
+    let mut places = Vec::with_capacity(count);
     for i in 0..segments {
         let (a, b) = ends(i);
-        let pieces = (norm(sub(b, a)) / step).ceil().clamp(1.0, most) as usize;
+        let pieces = (norm(sub(b, a)) / step).ceil().clamp(1.0, most as f64) as usize;
         places.extend((0..pieces).map(|p| add_scaled(a, sub(b, a), p as f64 / pieces as f64)));
     }
     if !strip.closed {
-        places.extend(strip.points.last());
+        places.extend(points.last());
     }
     places
+}
+
+/// About `most` points of a strip, its ends among them; all of them where they are no more.
+fn thinned(strip: &Strip, most: usize) -> Vec<[f64; 3]> {
+    let every = strip.points.len().div_ceil(most).max(1);
+    let mut points: Vec<_> = strip.points.iter().copied().step_by(every).collect();
+    let beyond = strip.points.len().saturating_sub(1) % every != 0;
+    points.extend(strip.points.last().filter(|_| beyond && !strip.closed));
+    points
 }
 
 fn start(tangent: [f64; 3]) -> [[f64; 3]; 2] {
@@ -138,9 +148,9 @@ mod tests {
             closed: true,
             start: None,
             end: None,
-            points: (0..100).map(|i| [f64::from(i), f64::from(i % 3), 0.0]).collect(),
+            points: (0..16_000).map(|i| [f64::from(i), f64::from(i % 3), 0.0]).collect(),
             curve: Default::default(),
-            sources: Vec::new(),
+            sources: (0..25).collect(),
             deviation: 0.0,
             fold_deg: None,
             evidence: 0.0,
@@ -148,8 +158,10 @@ mod tests {
         };
         for step in [1e-310, 1e-100, 1e-3] {
             let count = places(&strip, step).len();
-            assert!((1600..1800).contains(&count), "{step:e}: {count}");
+            assert!((1600..=3200).contains(&count), "{step:e}: {count}");
         }
-        assert_eq!(places(&strip, 1e3).len(), 100);
+        assert_eq!(places(&strip, 1e6).len(), 1600);
+        let open = Strip { closed: false, ..strip };
+        assert_eq!(places(&open, 1e6).last(), open.points.last());
     }
 }
