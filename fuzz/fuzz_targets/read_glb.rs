@@ -1,2 +1,2 @@
 #![no_main]
-libfuzzer_sys::fuzz_target!(|data: &[u8]| lineament_fuzz::reads(Some(lineament_io::Format::Glb), data));
+libfuzzer_sys::fuzz_target!(|data: &[u8]| lineament_fuzz::reads(Some(lineament_io::Format::Gltf), data));

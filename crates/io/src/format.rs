@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::number::{shown, tokens};
-use crate::read::{expe, npy, off, parquet, ptx, stl};
+use crate::read::{expe, gltf, npy, off, parquet, ptx, stl};
 use std::fmt;
 use std::path::Path;
 
@@ -36,8 +36,8 @@ pub enum Format {
     Parquet,
     /// Binary point sets of the Expe library.
     Expe,
-    /// Binary glTF 2.0.
-    Glb,
+    /// glTF 2.0, binary (GLB) or JSON.
+    Gltf,
 }
 
 /// Format, name in messages, extensions.
@@ -59,7 +59,7 @@ const FORMATS: [(Format, &str, &[&str]); 14] = [
     (Format::Npz, "NPZ", &["npz"]),
     (Format::Parquet, "Parquet", &["parquet", "pq"]),
     (Format::Expe, "Expe point set", &[]),
-    (Format::Glb, "GLB", &["glb"]),
+    (Format::Gltf, "glTF", &["glb", "gltf"]),
 ];
 
 /// First bytes of formats that have them.
@@ -71,7 +71,7 @@ const MAGIC: [(Format, &[u8]); 8] = [
     (Format::Parquet, parquet::MAGIC),
     (Format::Expe, expe::MAGIC),
     (Format::Pcd, b"# .PCD"),
-    (Format::Glb, b"glTF"),
+    (Format::Gltf, gltf::MAGIC),
 ];
 
 const OBJ_KEYWORDS: [&[u8]; 14] =
@@ -146,6 +146,9 @@ fn by_text(start: &[u8], named: Option<Format>) -> Option<Format> {
     }
     if ptx::begins(start) {
         return Some(Format::Ptx);
+    }
+    if start.trim_ascii_start().starts_with(b"{") {
+        return (named == Some(Format::Gltf) || gltf::begins(start)).then_some(Format::Gltf);
     }
     let mut lines = start.split(|&b| b == b'\n' || b == b'\r');
     let statement = lines.find_map(|line| tokens(line).next().filter(|t| !t.starts_with(b"#")));

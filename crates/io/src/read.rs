@@ -1,7 +1,7 @@
 //! From an input to a cloud: opening, recognising, dispatching.
 mod e57;
 pub(crate) mod expe;
-mod glb;
+pub(crate) mod gltf;
 mod join;
 pub(crate) mod las;
 mod limit;
@@ -190,7 +190,7 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         Format::Npz => npz::read(&mut source, options)?,
         Format::Parquet => parquet::read(&mut source, options)?,
         Format::Expe => expe::read(&mut source, options)?,
-        Format::Glb => glb::read(&mut source, options)?,
+        Format::Gltf => gltf::read(&mut source, options)?,
     };
     source.drain()?;
     let Decoded { mut cloud, ignored, missing, crs, las } = decoded;

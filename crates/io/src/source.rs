@@ -72,6 +72,11 @@ impl Source {
         self
     }
 
+    /// Where the input is, if it is a file.
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
     /// The whole input for reading at any place: the file once more, or, of a pipe, all its bytes.
     pub fn seekable(&mut self) -> Result<Input, Error> {
         if let Some(path) = &self.path {

@@ -7,7 +7,7 @@ use crate::source::Source;
 /// Bytes that any input may take.
 const BASE: u64 = 64 << 20;
 /// Bytes that every byte of an input may take.
-const FACTOR: u64 = 8;
+pub(super) const FACTOR: u64 = 8;
 
 /// Bytes that what is unpacked may take.
 pub(super) fn bound(source: &Source, options: &ReadOptions) -> u64 {
