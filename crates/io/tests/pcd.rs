@@ -143,6 +143,14 @@ fn refusals_name_the_line_and_the_value() {
 }
 
 #[test]
+fn a_header_line_that_is_too_long_is_refused_and_not_cut() {
+    let blanks = " ".repeat(1 << 20);
+    let text = String::from_utf8(ascii()).unwrap().replacen("FIELDS x y", &format!("FIELDS x{blanks} y"), 1);
+    let error = from_bytes(text.as_bytes(), "long.pcd", &options()).unwrap_err().to_string();
+    assert!(error.contains("a header line of 1048"), "{error}");
+}
+
+#[test]
 fn a_copy_from_before_the_beginning_is_refused() {
     let mut file = compressed();
     let body = file.windows(11).position(|w| w == b"compressed\n").unwrap() + 11;

@@ -38,6 +38,9 @@ pub(super) struct NamedField {
 /// rather than a feature descriptor.
 const FIELD: u64 = 1 << 10;
 
+/// No sensible header has a longer line; binary data taken for a header has.
+const MAX_LINE: usize = 1 << 20;
+
 /// Lines of the header as they come.
 #[derive(Default)]
 struct Lines {
@@ -101,7 +104,13 @@ pub(super) fn parse(source: &mut Source, options: &ReadOptions) -> Result<Header
         let Some(line) = source.line()? else {
             return Err(source.malformed_line("the header does not end", "the line `DATA` is missing"));
         };
-        let line = line[..line.len().min(1 << 20)].to_vec();
+        if line.len() > MAX_LINE {
+            let found = format!("a header line of {} bytes", line.len());
+            let advice =
+                format!("no header line of more than {MAX_LINE} bytes is read: this is no PCD header");
+            return Err(source.malformed_line(found, advice));
+        }
+        let line = line.to_vec();
         let words: Vec<&[u8]> = tokens(&line).collect();
         let Some((&key, values)) = words.split_first() else { continue };
         if key == b"DATA" {
