@@ -4,7 +4,7 @@ mod common;
 use common::las::{file, put};
 use common::{from_bytes, shared};
 use lineament::Column;
-use lineament_io::{Error, Format, ReadOptions, read};
+use lineament_io::{Error, Format, PointFormat, PointTable, ReadOptions, read, write_points_to};
 use proptest::prelude::*;
 
 #[test]
@@ -43,6 +43,38 @@ fn a_large_chunk_goes_alone_and_gives_the_same() {
     let options = ReadOptions { memory: Some(1 << 30), ..ReadOptions::default() };
     let packed = from_bytes(&file(1, 300_000, Some(300_000)), "a.laz", &options).unwrap();
     assert_eq!(packed.cloud, plain.cloud);
+}
+
+/// Version 1.4 may say behind the points where on earth they lie.
+#[test]
+fn extended_records_say_where_the_points_lie_and_are_carried_over() {
+    for (format, chunk) in [(6, None), (7, Some(10))] {
+        let mut file = file(format, 40, chunk);
+        let there = file.windows(15).position(|w| w == b"LASF_Projection").unwrap();
+        put(&mut file, there, b"SOMEONE_ELSE___");
+        let end = file.len() as u64;
+        for (user, data) in [("other", &b"123"[..]), ("LASF_Projection", b"PROJCS[\"Behind\"]\0")] {
+            let mut record = vec![0; 60];
+            put(&mut record, 2, user.as_bytes());
+            put(&mut record, 18, &2112u16.to_le_bytes());
+            put(&mut record, 20, &(data.len() as u64).to_le_bytes());
+            file.extend([record, data.to_vec()].concat());
+        }
+        put(&mut file, 235, &end.to_le_bytes());
+        put(&mut file, 243, &3u32.to_le_bytes());
+        let scan = from_bytes(&file, "a.las", &ReadOptions::default()).unwrap();
+        assert_eq!((scan.cloud.len(), scan.crs.as_deref()), (40, Some("Behind")));
+        for expected in ["1 extended variable length records", "1 extended records that the header announces"]
+        {
+            assert!(scan.ignored.iter().any(|what| what.starts_with(expected)), "{:?}", scan.ignored);
+        }
+        let classes = vec![0; 40];
+        let table = PointTable { cloud: &scan.cloud, classes: &classes, scores: &[], las: scan.las.as_ref() };
+        let mut written = Vec::new();
+        write_points_to(&mut written, PointFormat::Laz, &table).unwrap();
+        let again = from_bytes(&written, "b.laz", &ReadOptions::default()).unwrap();
+        assert_eq!((again.crs.as_deref(), again.cloud.positions), (Some("Behind"), scan.cloud.positions));
+    }
 }
 
 #[test]

@@ -24,13 +24,15 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     if header.compressed {
         source.keep();
     }
-    let frame = records::read(source, &header)?;
+    let mut frame = records::read(source, &header)?;
     let mut out = Decoded::default();
     let dimensions = points::dimensions(source, &header, &frame)?;
     let mut table = table(&header, &dimensions, options);
     let fields: Vec<_> = dimensions.iter().map(|d| d.field).collect();
     let rows = if header.compressed {
         let taken = laz::read(source, &header, &frame, options, &fields, &mut table)?;
+        note_extended(taken.extended, &mut out);
+        frame.records.extend(taken.projections);
         if taken.passed > 0 {
             out.ignored.push(format!("{} points in nodes outside the bounds", taken.passed));
         }
@@ -40,6 +42,10 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         let room = room(source, header.points, header.record_length as u64);
         table.reserve(room);
         let rows = table.read(source, header.points, header.record_length, &fields, Endian::Little)?;
+        if rows == header.points {
+            let found = records::extended(&header, &mut frame.records, |at, count| ahead(source, at, count))?;
+            note_extended(found, &mut out);
+        }
         note_rest(source, &header, rows, &mut out)?;
         rows
     };
@@ -73,6 +79,26 @@ fn skip_to_points(source: &mut Source, header: &Header) -> Result<(), Error> {
         return Err(source.ends_early("bytes before the points", gap, 0));
     }
     Ok(())
+}
+
+/// Bytes at a place that lies ahead; `None` where the input ends before or has passed it.
+fn ahead(source: &mut Source, at: u64, count: usize) -> Result<Option<Vec<u8>>, Error> {
+    let Some(gap) = at.checked_sub(source.offset()) else { return Ok(None) };
+    source.skip(gap)?;
+    let found = source.peek(count)?.get(..count).map(<[u8]>::to_vec);
+    source.consume(count);
+    Ok(found)
+}
+
+/// Says what of the extended records is not in the cloud, and what is not in the input.
+fn note_extended((others, missing): (u32, u32), out: &mut Decoded) {
+    if others > 0 {
+        out.ignored.push(format!("{others} extended variable length records"));
+    }
+    if missing > 0 {
+        out.ignored
+            .push(format!("{missing} extended records that the header announces and that are not there"));
+    }
 }
 
 /// Says how many points lie outside the bounds that the header states: a decoder cannot notice all damage.

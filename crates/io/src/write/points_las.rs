@@ -7,9 +7,9 @@ use crate::columns::{Number, Scalar, get};
 use crate::quiet;
 use crate::read::las::points::{Dimension, standard};
 use crate::read::{LasFrame, LasRecord};
-use laz::{LazItemRecordBuilder, LazVlr, LazVlrBuilder};
+use laz::{LasZipCompressor, LazItemRecordBuilder, LazVlr, LazVlrBuilder};
 use lineament::{Attribute, Column};
-use std::io::{self, Cursor, Write};
+use std::io::{self, Cursor, Seek, SeekFrom, Write};
 
 /// Bytes of a version 1.4 header, and of the header of a variable length record.
 const HEADER: usize = 375;
@@ -59,25 +59,30 @@ pub(super) fn write(out: &mut dyn Write, table: &PointTable, packed: bool) -> io
     for vlr in &vlrs {
         head.extend(record(vlr)?);
     }
-    let mut rows = Vec::with_capacity(if packed { table.cloud.len() * usize::from(length) } else { 1 << 16 });
+    let Some(laz) = laz else {
+        out.write_all(&head)?;
+        return rows(table, &plan, |row| out.write_all(row));
+    };
+    // The packer goes back to say where its chunk table is, so that what is packed stays in memory until it has.
     let mut file = Cursor::new(head);
-    if !packed {
-        out.write_all(file.get_ref())?;
-    }
+    file.seek(SeekFrom::End(0))?;
+    // It subtracts GPS times of both signs, which overflows where overflow is checked.
+    let packed = quiet::catch(|| -> io::Result<()> {
+        let mut packer = LasZipCompressor::new(&mut file, laz).map_err(io::Error::other)?;
+        rows(table, &plan, |row| packer.compress_one(row))?;
+        packer.done()
+    });
+    packed.unwrap_or_else(|| Err(io::Error::other("the LAZ packer gave up: write LAS")))?;
+    out.write_all(file.get_ref())
+}
+
+/// Hands out one record after the other.
+fn rows(table: &PointTable, plan: &Plan, mut take: impl FnMut(&[u8]) -> io::Result<()>) -> io::Result<()> {
+    let mut record = Vec::new();
     for index in 0..table.cloud.len() {
-        row(table, &plan, index, &mut rows)?;
-        if !packed {
-            out.write_all(&rows)?;
-            rows.clear();
-        }
-    }
-    if let Some(laz) = laz {
-        file.set_position(file.get_ref().len() as u64);
-        // The packer subtracts GPS times of both signs, which overflows where overflow is checked.
-        let packed = quiet::catch(|| laz::laszip::compress_buffer(&mut file, &rows, laz));
-        let packed = packed.ok_or_else(|| io::Error::other("the LAZ packer gave up: write LAS"))?;
-        packed.map_err(io::Error::other)?;
-        out.write_all(file.get_ref())?;
+        record.clear();
+        row(table, plan, index, &mut record)?;
+        take(&record)?;
     }
     Ok(())
 }
@@ -158,11 +163,9 @@ fn stored(plan: &Plan, position: [f64; 3], axis: usize) -> io::Result<i32> {
     })
 }
 
-/// Appends a record.
-fn row(table: &PointTable, plan: &Plan, index: usize, rows: &mut Vec<u8>) -> io::Result<()> {
-    let start = rows.len();
-    rows.resize(start + plan.standard, 0);
-    let record = &mut rows[start..];
+/// Fills in a record that is empty.
+fn row(table: &PointTable, plan: &Plan, index: usize, record: &mut Vec<u8>) -> io::Result<()> {
+    record.resize(plan.standard, 0);
     for axis in 0..3 {
         let value = stored(plan, table.cloud.positions[index], axis)?;
         record[4 * axis..4 * axis + 4].copy_from_slice(&value.to_le_bytes());
@@ -181,9 +184,9 @@ fn row(table: &PointTable, plan: &Plan, index: usize, rows: &mut Vec<u8>) -> io:
     }
     for extra in &plan.extras {
         match extra.column {
-            Source::Class => rows.push(table.classes[index]),
-            Source::Score => table.scores[index].put(rows),
-            Source::Attribute(column) => put(column, index, true, rows),
+            Source::Class => record.push(table.classes[index]),
+            Source::Score => table.scores[index].put(record),
+            Source::Attribute(column) => put(column, index, true, record),
         }
     }
     Ok(())

@@ -11,6 +11,8 @@ pub(super) struct Header {
     pub header_size: u64,
     pub points_at: u64,
     pub records: u32,
+    /// Where extended records begin, behind the points, and how many there are.
+    pub extended: (u64, u32),
     /// Point data record format, 0 to 10.
     pub format: u8,
     pub compressed: bool,
@@ -111,10 +113,12 @@ pub(super) fn parse(source: &mut Source) -> Result<Header, Error> {
         let found = format!("coordinate scale {scale:?} and offset {offset:?}");
         return fault(131, found, "they must be finite and the scale not 0; the file is damaged");
     }
-    let large = if minor >= 4 && header_size >= VERSION_1_4 as u64 { get(247).number::<u64>() } else { 0 };
+    let current = minor >= 4 && header_size >= VERSION_1_4 as u64;
+    let large = if current { get(247).number::<u64>() } else { 0 };
     let points = if large > 0 { large } else { get(107).number::<u32>().into() };
     let compressed = bytes[104] & 0xc0 != 0;
     let records = get(100).number();
+    let extended = if current { (get(235).number(), get(243).number()) } else { (0, 0) };
     let limit = |at: usize| [0, 1, 2].map(|axis| get(at + 16 * axis).number::<f64>());
     let bounds = (limit(187), limit(179));
     Ok(Header {
@@ -122,6 +126,7 @@ pub(super) fn parse(source: &mut Source) -> Result<Header, Error> {
         header_size,
         points_at,
         records,
+        extended,
         format,
         compressed,
         record_length,

@@ -3,7 +3,8 @@
 
 use super::chunks::{Chunk, at, chunks};
 use super::copc;
-use super::header::{Fields, Header, LasFrame};
+use super::header::{Fields, Header, LasFrame, Record};
+use super::records;
 use crate::columns::Endian;
 use crate::error::{Error, Place};
 use crate::quiet;
@@ -13,7 +14,7 @@ use crate::source::{Input, Source};
 use laz::record::{LayeredPointRecordDecompressor, RecordDecompressor, SequentialPointRecordDecompressor};
 use laz::{DecompressionSelection, LazItem, LazItemType, LazVlr};
 use rayon::prelude::*;
-use std::io::Cursor;
+use std::io::{Cursor, Seek, SeekFrom};
 
 /// Chunks that are unpacked at a time, side by side, where there are threads for it; as many wait for their place in the table meanwhile.
 const BATCH: usize = 4;
@@ -41,6 +42,9 @@ pub(super) struct Packing {
 pub(super) struct Taken {
     pub rows: u64,
     pub passed: u64,
+    /// Extended records that say where the points lie; how many others there are, and how many are missing.
+    pub projections: Vec<Record>,
+    pub extended: (u32, u32),
 }
 
 /// Reads the points into the table.
@@ -57,6 +61,8 @@ pub(super) fn read(
         packing.selection = DecompressionSelection::base().decompress_z();
     }
     let mut input = source.seekable()?;
+    let mut projections = Vec::new();
+    let extended = extended(source, &mut input, header, &mut projections)?;
     let chunks = match copc::chunks(source, &mut input, header, frame, options)? {
         Some(overlapping) => overlapping,
         None => chunks(source, &mut input, header, &vlr, &packing)?,
@@ -90,8 +96,25 @@ pub(super) fn read(
     }
     match result.and_then(|()| into.put(waiting)) {
         Err((chunk, what)) if !options.salvage => Err(broken(source, chunk, &what)),
-        _ => Ok(Taken { rows: table.positions.len() as u64, passed: header.points.saturating_sub(wanted) }),
+        _ => {
+            let (rows, passed) = (table.positions.len() as u64, header.points.saturating_sub(wanted));
+            Ok(Taken { rows, passed, projections, extended })
+        }
     }
+}
+
+/// The extended records.
+fn extended(
+    source: &Source,
+    input: &mut Input,
+    header: &Header,
+    records: &mut Vec<Record>,
+) -> Result<(u32, u32), Error> {
+    let length = input.seek(SeekFrom::End(0)).map_err(|e| source.io(e))?;
+    records::extended(header, records, |place, count| {
+        let there = place.checked_add(count as u64).is_some_and(|end| end <= length);
+        there.then(|| at(source, input, place, count)).transpose()
+    })
 }
 
 /// A chunk with its rows, or why it cannot be unpacked.

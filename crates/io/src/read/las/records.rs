@@ -6,6 +6,8 @@ use crate::source::Source;
 
 /// Bytes before the content of a record.
 const RECORD_HEADER: usize = 54;
+/// And of an extended record.
+const EXTENDED_HEADER: usize = 60;
 
 /// Reads the records between the header and the points.
 pub(super) fn read(source: &mut Source, header: &Header) -> Result<LasFrame, Error> {
@@ -51,6 +53,34 @@ fn record(source: &mut Source, header: &Header) -> Result<Option<Record>, Error>
     };
     source.consume(RECORD_HEADER + length);
     Ok(Some(Record { user, id, data }))
+}
+
+/// Reads the extended records, which come behind the points: those that say where on earth the points lie, as far as they
+/// fit a record of an output. `take` gives so many bytes from a place, or `None` where the input ends before. Gives how many
+/// records were left out, and how many are not there.
+pub(super) fn extended(
+    header: &Header,
+    records: &mut Vec<Record>,
+    mut take: impl FnMut(u64, usize) -> Result<Option<Vec<u8>>, Error>,
+) -> Result<(u32, u32), Error> {
+    let (mut at, count) = header.extended;
+    let mut others = 0;
+    for index in 0..count {
+        let Some(start) = take(at, EXTENDED_HEADER)? else { return Ok((others, count - index)) };
+        let (user, id) = (text(&start[2..18]), Fields(&start[18..]).number());
+        let length: u64 = Fields(&start[20..]).number();
+        let content = at.saturating_add(EXTENDED_HEADER as u64);
+        at = content.saturating_add(length);
+        let mut record = Record { user, id, data: Vec::new() };
+        if !record.is_projection() || length > u64::from(u16::MAX) {
+            others += 1;
+            continue;
+        }
+        let Some(data) = take(content, length as usize)? else { return Ok((others, count - index)) };
+        record.data = data;
+        records.push(record);
+    }
+    Ok((others, 0))
 }
 
 /// Text up to its first zero.
