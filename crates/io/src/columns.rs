@@ -18,8 +18,9 @@ pub(crate) enum Scalar {
 }
 
 /// The order of the bytes of a number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Endian {
+    #[default]
     Little,
     Big,
 }

@@ -121,6 +121,34 @@ fn npy_structures_are_read_by_their_names() {
 }
 
 #[test]
+fn npy_fields_that_are_no_numbers_are_stepped_over_and_named() {
+    let mut data = Vec::new();
+    for row in 0..2u8 {
+        data.extend([row, 0, 0, 0]);
+        data.extend("wall".chars().flat_map(|c| u32::from(c).to_le_bytes()));
+        data.extend([1.5f32, 2.5, 3.5].into_iter().flat_map(f32::to_le_bytes));
+    }
+    let descr = "[('label', '|u1'), ('', '|V3'), ('part', '<U4'), ('x', '<f4'), ('y', '<f4'), ('z', '<f4')]";
+    let scan = from_bytes(&npy(descr, "False", "(2,)", &data), "a.npy", &options()).unwrap();
+    assert_eq!(scan.cloud.positions, [[1.5, 2.5, 3.5]; 2]);
+    assert_eq!((scan.cloud.attributes.len(), scan.ignored), (1, vec!["field `part`: no number".into()]));
+    let descr = "[('x', '<f4'), ('y', '<f4'), ('z', '<f4'), ('blob', '|V4294967295')]";
+    let error = from_bytes(&npy(descr, "False", "(2,)", &data), "a.npy", &options()).unwrap_err().to_string();
+    assert!(error.contains("rows of 4294967307 bytes"), "{error}");
+}
+
+#[test]
+fn an_npy_array_that_lies_on_its_side_is_refused() {
+    let data: Vec<u8> = (0..120u8).flat_map(|v| f32::from(v).to_le_bytes()).collect();
+    let error = from_bytes(&npy("'<f4'", "False", "(3, 40)", &data), "a.npy", &options()).unwrap_err();
+    assert!(error.to_string().contains("shape [3, 40], wider than long: transpose it"), "{error}");
+    assert_eq!(
+        from_bytes(&npy("'<f4'", "False", "(40, 3)", &data), "a.npy", &options()).unwrap().cloud.len(),
+        40
+    );
+}
+
+#[test]
 fn npy_claims_are_compared_with_the_bytes() {
     for shape in ["(4294967296, 3)", "(9223372036854775808, 3)", "(3, 3)", "(18446744073709551615, 4096)"] {
         for order in ["True", "False"] {

@@ -109,6 +109,33 @@ fn a_count_line_must_agree_with_the_rows() {
 }
 
 #[test]
+fn a_last_field_may_be_missing_behind_its_separator() {
+    let text = "I,Z,Y,X\n7,3,2,1\n8,6,5,\n9,6,5,4\n";
+    let scan = from_bytes(text.as_bytes(), "open.csv", &ReadOptions::default()).unwrap();
+    assert_eq!(scan.cloud.positions[0], [1.0, 2.0, 3.0]);
+    assert!(scan.cloud.positions[1][0].is_nan());
+    let text = "z;y;x;note\n3;2;1;\n6;5;4;\n";
+    let scan = from_bytes(text.as_bytes(), "open.csv", &ReadOptions::default()).unwrap();
+    assert_eq!(scan.cloud.positions, [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
+    let text = "3 names\n1.5,2,3,\n1.5,5,6,4\n";
+    assert_eq!(from_bytes(text.as_bytes(), "open.csv", &ReadOptions::default()).unwrap().cloud.len(), 2);
+}
+
+#[test]
+fn two_quotes_within_quotes_are_one_and_close_nothing() {
+    let text = "part,x,y,z\n\"the \"\"big\"\", old\",1,2,3\n\"\",4,5,6\n";
+    let scan = from_bytes(text.as_bytes(), "quoted.csv", &ReadOptions::default()).unwrap();
+    assert_eq!(scan.cloud.positions, [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
+}
+
+#[test]
+fn names_that_do_not_fit_the_columns_are_refused() {
+    let error = refusal("id x y z\n1 1.5 2.5 3.5 4.5\n2 1.5 2.5 3.5 4.5\n");
+    assert!(error.contains("5 columns under the 4 names id, x, y, z"), "{error}");
+    assert_eq!(positions("X [m] Y [m] Z [m]\n1.5 -2.25 3\n4 5.5 1e-3\n"), POINTS);
+}
+
+#[test]
 fn columns_without_names_for_the_coordinates_are_refused() {
     let error = refusal("a,b,c\n1,2,3\n");
     assert!(error.contains("a, b, c") && error.contains("none is `x`"), "{error}");

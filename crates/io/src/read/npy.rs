@@ -23,15 +23,35 @@ pub(super) struct Header {
     endian: Endian,
     pub rows: u64,
     column_major: bool,
+    /// Names of fields that are no numbers.
+    left_out: Vec<String>,
 }
 
+/// Bytes of a row beyond which it is not read: rows are held one by one at least.
+const MAX_ROW: usize = 1 << 20;
+/// Columns of a plain array beyond which there must be more rows: else it is taken for one that lies on its side.
+const WIDE: usize = 16;
+
 impl Header {
+    /// Refuses a plain array with a row for each coordinate instead of a column.
+    pub fn upright(&self) -> Result<(), String> {
+        let columns = self.fields.len();
+        if self.names.is_empty() && columns > WIDE && self.rows < columns as u64 {
+            return Err(format!(
+                "an array of shape [{}, {columns}], wider than long: transpose it",
+                self.rows
+            ));
+        }
+        Ok(())
+    }
+
     /// Gives the columns of a plain array their usual names.
     fn named(mut self) -> Result<Self, String> {
         if self.names.is_empty() {
             if self.fields.len() < 3 {
                 return Err(format!("an array of shape [{}, {}]", self.rows, self.fields.len()));
             }
+            self.upright()?;
             let usual =
                 |c: usize| ["x", "y", "z"].get(c).map_or(format!("column_{}", c + 1), |n| (*n).into());
             self.names = (0..self.fields.len()).map(usual).collect();
@@ -52,6 +72,8 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
             source.malformed(format!("fields {}", header.names.join(", ")), "there must be x, y and z")
         );
     };
+    let left_out = header.left_out.iter().map(|name| format!("field `{name}`: no number"));
+    let ignored = left_out.collect();
     let kept = header.names.iter().enumerate().filter(|(i, _)| options.attributes && ![x, y, z].contains(i));
     let attributes = kept.map(|(i, name)| (i, name.clone(), header.fields[i].kind)).collect();
     let room = room(source, header.rows, header.stride as u64);
@@ -61,7 +83,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     } else {
         table.read(source, header.rows, header.stride, &header.fields, header.endian)?
     };
-    let mut out = Decoded { cloud: table.into_cloud(), ..Decoded::default() };
+    let mut out = Decoded { cloud: table.into_cloud(), ignored, ..Decoded::default() };
     if rows < header.rows {
         out.cut(source, options, "rows", header.rows, rows)?;
     }
@@ -109,9 +131,9 @@ pub(super) fn parse(text: &str) -> Result<Header, String> {
     let shape = shape(value(text, "shape").ok_or_else(|| missing("shape"))?)?;
     let column_major = order.starts_with("True");
     if descr.starts_with('[') {
-        let (names, fields, stride, endian) = structured(descr)?;
+        let Structure { names, fields, stride, endian, left_out } = structured(descr)?;
         let &[rows] = shape.as_slice() else { return Err(format!("a structured array of shape {shape:?}")) };
-        return Ok(Header { names, fields, stride, endian, rows, column_major: false });
+        return Ok(Header { names, fields, stride, endian, rows, column_major: false, left_out });
     }
     let (kind, endian) = scalar(quoted(descr).ok_or_else(|| format!("type {descr}"))?)?;
     let (rows, columns) = match *shape.as_slice() {
@@ -120,7 +142,8 @@ pub(super) fn parse(text: &str) -> Result<Header, String> {
         _ => return Err(format!("an array of shape {shape:?}")),
     };
     let fields = (0..columns).map(|c| Field { offset: c * kind.size(), kind }).collect();
-    Ok(Header { names: Vec::new(), fields, stride: columns * kind.size(), endian, rows, column_major })
+    let (names, left_out) = (Vec::new(), Vec::new());
+    Ok(Header { names, fields, stride: columns * kind.size(), endian, rows, column_major, left_out })
 }
 
 /// A tuple of whole numbers.
@@ -156,12 +179,31 @@ fn scalar(descr: &str) -> Result<(Scalar, Endian), String> {
     Ok((kind, endian))
 }
 
-type Structure = (Vec<String>, Vec<Field>, usize, Endian);
+/// The fields of a structured type.
+#[derive(Default)]
+struct Structure {
+    names: Vec<String>,
+    fields: Vec<Field>,
+    stride: usize,
+    endian: Endian,
+    left_out: Vec<String>,
+}
 
-/// The fields of a structured type: `[('x', '<f4'), ('y', '<f4'), ...]`, plain numbers all of one byte order.
+/// Bytes of a field that is no number: padding, which has no name, bytes or text.
+fn opaque(descr: &str) -> Option<usize> {
+    let bare = descr.trim_start_matches(['<', '>', '=', '|']);
+    let wide = match bare.get(..1)? {
+        "V" | "S" | "a" => 1,
+        "U" => 4,
+        _ => return None,
+    };
+    bare[1..].parse::<u32>().ok().map(|count| wide * count as usize)
+}
+
+/// The fields of `[('x', '<f4'), ('y', '<f4'), ...]`, the numbers all of one byte order.
 fn structured(text: &str) -> Result<Structure, String> {
     let list = text.strip_prefix('[').and_then(|t| t.split_once(']')).map(|(list, _)| list).unwrap_or("");
-    let (mut names, mut fields, mut stride) = (Vec::new(), Vec::new(), 0);
+    let mut all = Structure::default();
     let mut order = None;
     for entry in list.split('(').skip(1) {
         let parts: Vec<&str> = entry.split(['\'', '"']).collect();
@@ -169,15 +211,24 @@ fn structured(text: &str) -> Result<Structure, String> {
         if rest.trim().trim_end_matches(',').trim() != ")" {
             return Err(format!("field `{name}`, which is an array,"));
         }
+        if let Some(bytes) = opaque(descr) {
+            all.stride += bytes;
+            all.left_out.extend((!name.is_empty()).then(|| name.to_string()));
+            continue;
+        }
         let (kind, endian) = scalar(descr)?;
         if kind.size() > 1 && *order.get_or_insert(endian) != endian {
             return Err("fields of both byte orders".into());
         }
-        names.push(name.into());
-        fields.push(Field { offset: stride, kind });
-        stride += kind.size();
+        all.names.push(name.into());
+        all.fields.push(Field { offset: all.stride, kind });
+        all.stride += kind.size();
     }
-    Ok((names, fields, stride, order.unwrap_or(Endian::Little)))
+    if all.stride > MAX_ROW {
+        return Err(format!("rows of {} bytes", all.stride));
+    }
+    all.endian = order.unwrap_or_default();
+    Ok(all)
 }
 
 /// All fields of an array as columns; `None` if it ends early.

@@ -87,7 +87,7 @@ fn axes(source: &Source, arrays: &[Array]) -> Result<Axes, Error> {
     };
     let named = |name: &str| arrays.iter().position(|a| a.name.eq_ignore_ascii_case(name));
     if let Some(index) = POINTS.iter().find_map(|name| named(name).filter(|&i| wide(&arrays[i]))) {
-        return Ok([0, 1, 2].map(|column| (index, column)));
+        return plain(source, arrays, index);
     }
     if let [Some(x), Some(y), Some(z)] = ["x", "y", "z"].map(named) {
         let rows = arrays[x].header.rows;
@@ -100,7 +100,7 @@ fn axes(source: &Source, arrays: &[Array]) -> Result<Axes, Error> {
     }
     let all: Vec<usize> = (0..arrays.len()).filter(|&i| wide(&arrays[i])).collect();
     match all.as_slice() {
-        &[index] => Ok([0, 1, 2].map(|column| (index, column))),
+        &[index] => plain(source, arrays, index),
         several => {
             let names: Vec<&str> = arrays.iter().map(|a| a.name.as_str()).collect();
             let found = format!("arrays {}, {} of them (N, 3) or wider", names.join(", "), several.len());
@@ -108,6 +108,15 @@ fn axes(source: &Source, arrays: &[Array]) -> Result<Axes, Error> {
             Err(source.fault(Place::Byte(0), found, advice))
         }
     }
+}
+
+/// The first three columns of a plain array.
+fn plain(source: &Source, arrays: &[Array], index: usize) -> Result<Axes, Error> {
+    let Array { name, header, .. } = &arrays[index];
+    let refused =
+        |what| source.fault(Place::Byte(0), format!("array `{name}`: {what}"), "points need a row each");
+    header.upright().map_err(refused)?;
+    Ok([0, 1, 2].map(|column| (index, column)))
 }
 
 /// The columns of an array; `None` if it ends early.

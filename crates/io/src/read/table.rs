@@ -150,6 +150,14 @@ impl Rows {
             }
             count += 1;
         }
+        if count + 1 == layout.roles.len() && count > 0 && split::ends_open(line, layout.separator) {
+            match layout.roles[count] {
+                Role::Axis(axis) => point[axis] = f64::NAN,
+                Role::Column(column) if self.keep => self.columns[column].1.push(f64::NAN),
+                _ => {}
+            }
+            count += 1;
+        }
         if count == layout.roles.len() {
             self.positions.push(point);
             return Ok(());

@@ -1,6 +1,6 @@
 //! The layout of a table, recognised from its first rows.
 
-use super::split::{Separator, fields, is_comment, uncommented};
+use super::split::{Separator, ends_open, fields, is_comment, uncommented};
 use crate::error::{Error, Place};
 use crate::number::{integer, is_blank, parse, shown, tokens};
 use crate::source::Source;
@@ -56,7 +56,7 @@ struct Sample {
 /// Recognises the layout; the source stays where it is.
 pub(super) fn find(source: &mut Source) -> Result<Layout, Error> {
     let sample = sample(source)?;
-    let Some(first) = sample.rows.first() else {
+    if sample.rows.is_empty() {
         let place = Place::Line(1);
         let found = "no row of three numbers at the beginning".to_string();
         return Err(source.fault(
@@ -64,14 +64,17 @@ pub(super) fn find(source: &mut Source) -> Result<Layout, Error> {
             found,
             "expected rows of x y z, separated by blanks, commas or semicolons",
         ));
-    };
+    }
     let place = Place::Line(sample.lines_before + 1);
     let (separator, decimal_comma) =
         separator(&sample.rows).map_err(|(found, advice)| source.fault(place, found, advice))?;
-    let columns = fields(first, separator).len();
+    let columns = columns(&sample, separator);
     let named = names(&sample, separator, columns);
     let by_name = || usual_names(source.name(), columns);
     let header = named.clone().or_else(by_name);
+    if header.is_none() {
+        misfit(&sample, separator, columns).map_err(|(found, advice)| source.fault(place, found, advice))?;
+    }
     let titles = sample.titles - u64::from(named.is_some() && !sample.header_is_comment);
     if header.is_none() && separator == Separator::Byte(b',') && columns > 3 && all_digits(&sample.rows) {
         let found = format!("{columns} columns of whole numbers separated by commas, without names");
@@ -88,7 +91,7 @@ pub(super) fn find(source: &mut Source) -> Result<Layout, Error> {
         row_bytes: (sample.bytes / sample.rows.len()) as u64,
         ignored: Vec::new(),
     };
-    assign(&mut layout, header, first, columns)
+    assign(&mut layout, header, &sample.rows, columns)
         .map_err(|(found, advice)| source.fault(place, found, advice))?;
     if titles > 0 {
         layout.ignored.push(format!("{titles} title lines before the rows"));
@@ -229,6 +232,30 @@ fn all_digits(rows: &[Vec<u8>]) -> bool {
     rows.iter().all(|row| !row.iter().any(|b| matches!(b, b'.' | b'e' | b'E')))
 }
 
+/// The number of columns: those of the first row, and one more where it ends in a separator and the names or other rows
+/// have one more.
+fn columns(sample: &Sample, separator: Separator) -> usize {
+    let count = |line: &[u8]| fields(line, separator).len();
+    let first = sample.rows.first().map_or(&[] as &[u8], Vec::as_slice);
+    let more = |line: &[u8]| count(line) == count(first) + 1;
+    let header = sample.header.as_deref().is_some_and(|header| !sample.header_is_comment && more(header));
+    let open = ends_open(first, separator) && (header || sample.rows.iter().any(|row| more(row)));
+    count(first) + usize::from(open)
+}
+
+/// Refuses names that do not fit the columns: which column is x could then only be guessed.
+fn misfit(sample: &Sample, separator: Separator, columns: usize) -> Result<(), Refusal> {
+    let Some(header) = sample.header.as_deref().filter(|_| !sample.header_is_comment) else { return Ok(()) };
+    let names: Vec<String> = fields(header, separator).iter().map(|field| name(field)).collect();
+    let axes = [0, 1, 2].map(|axis| find_axis(&names, axis));
+    let [Some(x), Some(y), Some(z)] = axes else { return Ok(()) };
+    if [x, y, z] == [0, 1, 2] || columns == 3 && x < y && y < z {
+        return Ok(());
+    }
+    let found = format!("{columns} columns under the {} names {}", names.len(), names.join(", "));
+    Err((found, "name every column, so that x, y and z can be told".into()))
+}
+
 /// The names of the columns, if a line before the rows gives as many as there are columns.
 fn names(sample: &Sample, separator: Separator, columns: usize) -> Option<Vec<String>> {
     let header = sample.header.as_deref()?;
@@ -274,7 +301,7 @@ pub(in crate::read) fn find_axis(names: &[String], axis: usize) -> Option<usize>
 fn assign(
     layout: &mut Layout,
     header: Option<Vec<String>>,
-    first: &[u8],
+    rows: &[Vec<u8>],
     columns: usize,
 ) -> Result<(), Refusal> {
     let mut axes = [0, 1, 2];
@@ -289,13 +316,17 @@ fn assign(
     if columns < 3 {
         return Err((format!("rows of {columns} columns"), "points need three coordinates".into()));
     }
-    let cells = fields(first, layout.separator);
+    let cells: Vec<Vec<&[u8]>> = rows.iter().map(|row| fields(row, layout.separator)).collect();
+    let sample = |column: usize| {
+        let filled = cells.iter().filter_map(|row| row.get(column)).find(|cell| !cell.is_empty());
+        filled.copied().unwrap_or_default()
+    };
     for column in 0..columns {
         let name =
             header.as_ref().map_or_else(|| format!("column_{}", column + 1), |names| names[column].clone());
         let role = if let Some(axis) = axes.iter().position(|&c| c == column) {
             Role::Axis(axis)
-        } else if super::value(cells[column], layout.decimal_comma).is_some() {
+        } else if super::value(sample(column), layout.decimal_comma).is_some() {
             layout.names.push(name);
             Role::Column(layout.names.len() - 1)
         } else {

@@ -48,15 +48,30 @@ impl<'a> Fields<'a> {
 }
 
 /// Where the first field ends: at the separator, which inside quotes is none.
+#[inline]
 fn end_of_field(line: &[u8], separator: u8) -> usize {
     let start = line.iter().position(|&b| !is_blank(b)).unwrap_or(0);
-    let from = match line.get(start) {
-        Some(b'"') => {
-            line[start + 1..].iter().position(|&b| b == b'"').map_or(start, |close| start + 1 + close)
-        }
-        _ => 0,
-    };
+    let from = if line.get(start) == Some(&b'"') { end_of_quotes(line, start) } else { 0 };
     line[from..].iter().position(|&b| b == separator).map_or(line.len(), |at| from + at)
+}
+
+/// Behind the quotes that open at `start`; two within them stand for one. Where they do not close, `start`.
+fn end_of_quotes(line: &[u8], start: usize) -> usize {
+    let mut at = start + 1;
+    while let Some(next) = line[at..].iter().position(|&b| b == b'"') {
+        at += next + 1;
+        if line.get(at) != Some(&b'"') {
+            return at;
+        }
+        at += 1;
+    }
+    start
+}
+
+/// Whether a line ends in a separator, behind which a last field may be missing.
+#[inline]
+pub(super) fn ends_open(line: &[u8], separator: Separator) -> bool {
+    matches!((separator, line.trim_ascii().last()), (Separator::Byte(byte), Some(&last)) if last == byte)
 }
 
 #[inline]
