@@ -28,7 +28,7 @@ fn target(name: &str) -> &'static str {
         "npy" => "read_npy",
         "npz" => "read_npz",
         "parquet" => "read_parquet",
-        "glb" => "read_glb",
+        "glb" | "gltf" => "read_glb",
         "expe" => "read_expe",
         _ => "read_table",
     }

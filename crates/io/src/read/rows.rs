@@ -16,6 +16,7 @@ pub(crate) struct Field {
 }
 
 /// Coordinates that are stored as integers: `integer * scale + offset`.
+#[derive(Clone)]
 pub(crate) struct Grid {
     pub scale: [f64; 3],
     pub offset: [f64; 3],
@@ -65,6 +66,31 @@ impl Table {
         self.positions.reserve_exact(rows);
         for (_, attribute) in &mut self.columns {
             crate::columns::each_column!(&mut attribute.values, values => values.reserve_exact(rows));
+        }
+    }
+
+    /// A table of the same columns, without rows but with room for some.
+    pub fn part(&self, room: usize) -> Self {
+        let column = |(index, attribute): &(usize, Attribute)| {
+            let Attribute { name, values } = attribute;
+            (*index, Attribute { name: name.clone(), values: Scalar::of(values).column(room) })
+        };
+        Self {
+            positions: Vec::with_capacity(room),
+            axes: self.axes,
+            columns: self.columns.iter().map(column).collect(),
+            grid: self.grid.as_ref().map(|grid| Grid { outside: 0, ..grid.clone() }),
+        }
+    }
+
+    /// Appends the rows of a part.
+    pub fn join(&mut self, mut part: Self) {
+        self.positions.append(&mut part.positions);
+        for ((_, all), (_, some)) in self.columns.iter_mut().zip(part.columns) {
+            crate::columns::join(&mut all.values, some.values);
+        }
+        if let (Some(grid), Some(part)) = (&mut self.grid, part.grid) {
+            grid.outside += part.outside;
         }
     }
 

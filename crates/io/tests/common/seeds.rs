@@ -91,6 +91,14 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
             "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nproperty list uchar int n\nend_header\n1 2 3 2 1 1\n4 5 6 0\n",
         ),
     ];
+    let data = format!("data:;base64,{}", "AACAPwAAAEAAAEBA".repeat(4));
+    let json = format!(
+        "{{\"asset\":{{\"version\":\"2.0\"}},\"scenes\":[{{\"nodes\":[0]}}],\"nodes\":[{{\"mesh\":0,\"scale\":[2,2,2]}}],\
+         \"meshes\":[{{\"primitives\":[{{\"attributes\":{{\"POSITION\":0}}}}]}}],\
+         \"accessors\":[{{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"}}],\
+         \"bufferViews\":[{{\"buffer\":0,\"byteLength\":48}}],\"buffers\":[{{\"byteLength\":48,\"uri\":\"{data}\"}}]}}"
+    );
+    seeds.push(("seed.gltf".into(), json.into_bytes()));
     seeds.extend(text.map(|(name, text)| (name.into(), text.as_bytes().to_vec())));
     let mut stl = vec![0u8; 80];
     stl.extend(2u32.to_le_bytes());

@@ -99,10 +99,9 @@ fn decoded(source: &Source, buffer: usize, data: &str) -> Result<Vec<u8>, Error>
 
 /// The bytes of a file in the folder of the input, or below it.
 fn beside(source: &Source, uri: &str) -> Result<Vec<u8>, Error> {
-    let refused = |what: &str| Error::Unsupported {
-        name: source.name().into(),
-        what: format!("the buffer in {}, {what}", crate::number::shown(uri.as_bytes())),
-        advice: "put the file beside the input, or pack both into one GLB".into(),
+    let refused = |what: &str| {
+        let found = format!("the buffer in {}, {what}", crate::number::shown(uri.as_bytes()));
+        source.fault(Place::Byte(0), found, "put the file beside the input, or pack both into one GLB")
     };
     let name = percent_decode_str(uri).decode_utf8().map_err(|_| refused("which is no text"))?;
     let path = PathBuf::from(name.as_ref());
@@ -115,6 +114,5 @@ fn beside(source: &Source, uri: &str) -> Result<Vec<u8>, Error> {
     if std::fs::metadata(&path).is_ok_and(|meta| !meta.is_file()) {
         return Err(refused("which is no regular file"));
     }
-    let fail = |error| Error::Io { action: "open", name: path.display().to_string(), source: error };
-    std::fs::read(&path).map_err(fail)
+    std::fs::read(&path).map_err(|error| refused(&format!("which cannot be read ({error})")))
 }

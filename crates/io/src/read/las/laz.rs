@@ -20,11 +20,8 @@ use std::io::{Cursor, Seek, SeekFrom};
 const BATCH: usize = 4;
 /// Unpacked bytes of a chunk beyond which it goes alone.
 const LARGE: u64 = 4 << 20;
-/// Unpacked bytes that are held at a time of a chunk that goes alone: they go to the table while they are in the cache.
+/// Unpacked bytes that are held at a time of a chunk: they go to the table while they are in the cache.
 const STEP: usize = 1 << 17;
-
-/// Why a decoder that panicked could not unpack a chunk.
-const GAVE_UP: &str = "the decoder gave up";
 
 /// How the records are packed.
 pub(super) struct Packing {
@@ -71,7 +68,7 @@ pub(super) fn read(
     limit::check(source, options, wanted, table.row_bytes())?;
     table.reserve(wanted as usize);
     let side_by_side = if rayon::current_num_threads() > 1 { BATCH } else { 1 };
-    let mut into = Into { packing: &packing, fields, table };
+    let (unpacking, pattern) = (Unpacking { packing: &packing, fields }, table.part(0));
     let mut waiting = Vec::new();
     let mut result = Ok(());
     for batch in batches(&chunks, packing.record, side_by_side) {
@@ -80,21 +77,21 @@ pub(super) fn read(
             packed.push(bytes(source, &mut input, chunk)?);
         }
         let before = std::mem::take(&mut waiting);
-        // The rows of one batch go into the table while the next is unpacked.
+        // The parts of one batch are put together while the next is unpacked.
         let (unpacked, put) = rayon::join(
-            || if batch.len() > 1 { unpack_all(batch, &mut packed, &packing) } else { Vec::new() },
-            || into.put(before),
+            || if batch.len() > 1 { unpacking.all(batch, &mut packed, &pattern) } else { Vec::new() },
+            || put(table, before),
         );
         waiting = unpacked;
         result = put.and_then(|()| match (batch, packed.pop()) {
-            ([chunk], Some(packed)) => into.alone(chunk, packed),
+            ([chunk], Some(packed)) => unpacking.one(chunk, packed, table).map_err(|what| (chunk, what)),
             _ => Ok(()),
         });
         if result.is_err() {
             break;
         }
     }
-    match result.and_then(|()| into.put(waiting)) {
+    match result.and_then(|()| put(table, waiting)) {
         Err((chunk, what)) if !options.salvage => Err(broken(source, chunk, &what)),
         _ => {
             let (rows, passed) = (table.positions.len() as u64, header.points.saturating_sub(wanted));
@@ -118,53 +115,52 @@ fn extended(
 }
 
 /// A chunk with its rows, or why it cannot be unpacked.
-type Unpacked<'a> = (&'a Chunk, Result<Vec<u8>, String>);
+type Unpacked<'a> = (&'a Chunk, Result<Table, String>);
 
-/// Unpacks chunks side by side, taking their packed bytes.
-fn unpack_all<'a>(batch: &'a [Chunk], packed: &mut Vec<Vec<u8>>, packing: &Packing) -> Vec<Unpacked<'a>> {
-    let pairs = batch.par_iter().zip(std::mem::take(packed));
-    pairs.map(|(chunk, bytes)| (chunk, unpack(chunk, bytes, packing))).collect()
+/// Appends the rows of chunks to the table, up to the first that could not be unpacked.
+fn put<'a>(table: &mut Table, chunks: Vec<Unpacked<'a>>) -> Result<(), (&'a Chunk, String)> {
+    for (chunk, part) in chunks {
+        table.join(part.map_err(|what| (chunk, what))?);
+    }
+    Ok(())
 }
 
-/// Where rows go, and how they are packed.
-struct Into<'a> {
+/// How records are packed, and where in them the numbers lie.
+struct Unpacking<'a> {
     packing: &'a Packing,
     fields: &'a [Field],
-    table: &'a mut Table,
 }
 
-impl Into<'_> {
-    /// Puts the rows of chunks into the table, up to the first that could not be unpacked.
-    fn put<'c>(&mut self, chunks: Vec<Unpacked<'c>>) -> Result<(), (&'c Chunk, String)> {
-        for (chunk, rows) in chunks {
-            let rows = rows.map_err(|what| (chunk, what))?;
-            self.table.append(&rows, self.packing.record, self.fields, Endian::Little);
-        }
-        Ok(())
+impl Unpacking<'_> {
+    /// Unpacks chunks side by side, taking their packed bytes, each into a table like the pattern.
+    fn all<'c>(&self, batch: &'c [Chunk], packed: &mut Vec<Vec<u8>>, pattern: &Table) -> Vec<Unpacked<'c>> {
+        let pairs = batch.par_iter().zip(std::mem::take(packed));
+        let unpacked = pairs.map(|(chunk, bytes)| {
+            let mut part = pattern.part(chunk.points as usize);
+            (chunk, self.one(chunk, bytes, &mut part).map(|()| part))
+        });
+        unpacked.collect()
     }
 
-    /// Unpacks a chunk into the table, some records at a time; nothing of it stays there if it cannot be unpacked whole.
-    fn alone<'c>(&mut self, chunk: &'c Chunk, bytes: Vec<u8>) -> Result<(), (&'c Chunk, String)> {
+    /// Unpacks a chunk into a table, some records at a time; nothing of it stays there if it cannot be unpacked whole.
+    fn one(&self, chunk: &Chunk, bytes: Vec<u8>, table: &mut Table) -> Result<(), String> {
         let record = self.packing.record;
         let step = (STEP / record).max(1).min(chunk.points as usize);
         let mut rows = vec![0; step * record];
         let mut left = chunk.points;
-        let before = self.table.mark();
+        let before = table.mark();
         let result = quiet::catch(|| {
             let mut unpacker = unpacker(bytes, self.packing)?;
             while left > 0 {
                 let some = left.min(step as u64) as usize * record;
                 unpacker.decompress_many(&mut rows[..some]).map_err(|error| error.to_string())?;
-                self.table.append(&rows[..some], record, self.fields, Endian::Little);
+                table.append(&rows[..some], record, self.fields, Endian::Little);
                 left -= (some / record) as u64;
             }
-            Ok::<(), String>(())
+            Ok(())
         });
-        let result = result.unwrap_or_else(|| Err(GAVE_UP.into()));
-        result.map_err(|what| {
-            self.table.back_to(before);
-            (chunk, what)
-        })
+        let result = result.unwrap_or_else(|| Err("the decoder gave up".into()));
+        result.inspect_err(|_| table.back_to(before))
     }
 }
 
@@ -282,15 +278,4 @@ fn unpacker<'a>(bytes: Vec<u8>, packing: &Packing) -> Result<Unpacker<'a>, Strin
     unpacker.set_fields_from(&packing.items).map_err(|error| error.to_string())?;
     unpacker.set_selection(packing.selection);
     Ok(unpacker)
-}
-
-/// All records of a chunk.
-fn unpack(chunk: &Chunk, bytes: Vec<u8>, packing: &Packing) -> Result<Vec<u8>, String> {
-    let mut rows = vec![0; chunk.points as usize * packing.record];
-    let result = quiet::catch(|| {
-        let mut unpacker = unpacker(bytes, packing)?;
-        unpacker.decompress_many(&mut rows).map_err(|error| error.to_string())
-    });
-    result.unwrap_or_else(|| Err(GAVE_UP.into()))?;
-    Ok(rows)
 }
