@@ -46,7 +46,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         let stated = stated.ok_or_else(|| fault(format!("accessor {accessor}, which does not exist")))?;
         buffers.load(accessor::views(stated))?;
         let needed = stated.count.saturating_add(out.cloud.len() as u64).saturating_mul(24);
-        if needed > buffers.room(options) {
+        if needed > buffers.room(options, text.capacity()) {
             let what = format!("{} vertices that unpack to {needed} bytes", stated.count);
             return Err(limit::beyond(source, options, at, &what));
         }

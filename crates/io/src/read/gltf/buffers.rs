@@ -35,10 +35,11 @@ impl<'a> Buffers<'a> {
         Self { source, document, read, beside: 0 }
     }
 
-    /// Bytes that vertices may take in memory: files beside the input count as part of it.
-    pub fn room(&self, options: &ReadOptions) -> u64 {
+    /// Bytes that vertices may take in memory, beside the buffers and `others`: files beside the input count as part of it.
+    pub fn room(&self, options: &ReadOptions, others: usize) -> u64 {
         let more = if options.memory.is_some() { 0 } else { limit::FACTOR * self.beside };
-        limit::bound(self.source, options).saturating_add(more)
+        let held = self.read.iter().flatten().map(Vec::len).sum::<usize>() + others;
+        limit::bound(self.source, options).saturating_add(more).saturating_sub(held as u64)
     }
 
     /// Reads the buffers of some views; what does not exist is left for [`Buffers::bytes`] to say.
