@@ -177,23 +177,6 @@ pub(crate) fn truncate(column: &mut Column, length: usize) {
     each_column!(column, values => values.truncate(length));
 }
 
-/// Appends a column to one of the same type.
-pub(crate) fn join(column: &mut Column, other: Column) {
-    match (column, other) {
-        (Column::I8(a), Column::I8(mut b)) => a.append(&mut b),
-        (Column::U8(a), Column::U8(mut b)) => a.append(&mut b),
-        (Column::I16(a), Column::I16(mut b)) => a.append(&mut b),
-        (Column::U16(a), Column::U16(mut b)) => a.append(&mut b),
-        (Column::I32(a), Column::I32(mut b)) => a.append(&mut b),
-        (Column::U32(a), Column::U32(mut b)) => a.append(&mut b),
-        (Column::I64(a), Column::I64(mut b)) => a.append(&mut b),
-        (Column::U64(a), Column::U64(mut b)) => a.append(&mut b),
-        (Column::F32(a), Column::F32(mut b)) => a.append(&mut b),
-        (Column::F64(a), Column::F64(mut b)) => a.append(&mut b),
-        _ => {}
-    }
-}
-
 /// Values that a column has room for.
 pub(crate) fn capacity(column: &Column) -> usize {
     each_column!(column, values => values.capacity())

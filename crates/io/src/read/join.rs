@@ -1,9 +1,9 @@
 //! Several inputs as one cloud.
 
 use super::{ReadOptions, Scan, read};
-use crate::columns::{Scalar, join};
+use crate::columns::Scalar;
 use crate::error::Error;
-use lineament::Attribute;
+use lineament::{Attribute, Column};
 use std::path::PathBuf;
 
 /// Reads several files, whose points become one cloud in the order of the files. Attributes that all files have, with
@@ -34,7 +34,7 @@ fn add(all: &mut Scan, mut next: Scan) {
     for mut attribute in std::mem::take(&mut all.cloud.attributes) {
         match found(&attribute, &next.cloud.attributes) {
             Some(at) => {
-                join(&mut attribute.values, next.cloud.attributes.swap_remove(at).values);
+                append(&mut attribute.values, next.cloud.attributes.swap_remove(at).values);
                 kept.push(attribute);
             }
             None => dropped.push(attribute.name),
@@ -62,4 +62,21 @@ fn add(all: &mut Scan, mut next: Scan) {
     all.name = format!("{}, {}", all.name, next.name);
     all.bytes += next.bytes;
     all.sha256 = None;
+}
+
+/// Appends a column to one of the same type.
+fn append(column: &mut Column, other: Column) {
+    match (column, other) {
+        (Column::I8(a), Column::I8(mut b)) => a.append(&mut b),
+        (Column::U8(a), Column::U8(mut b)) => a.append(&mut b),
+        (Column::I16(a), Column::I16(mut b)) => a.append(&mut b),
+        (Column::U16(a), Column::U16(mut b)) => a.append(&mut b),
+        (Column::I32(a), Column::I32(mut b)) => a.append(&mut b),
+        (Column::U32(a), Column::U32(mut b)) => a.append(&mut b),
+        (Column::I64(a), Column::I64(mut b)) => a.append(&mut b),
+        (Column::U64(a), Column::U64(mut b)) => a.append(&mut b),
+        (Column::F32(a), Column::F32(mut b)) => a.append(&mut b),
+        (Column::F64(a), Column::F64(mut b)) => a.append(&mut b),
+        _ => {}
+    }
 }

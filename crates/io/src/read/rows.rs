@@ -1,5 +1,9 @@
 //! The columns that rows of a file go into, and the decoding of rows of fixed size.
 
+mod parts;
+
+pub(crate) use parts::Part;
+
 use crate::columns::{Endian, Number, Scalar, append, push, truncate};
 use crate::error::Error;
 use crate::source::Source;
@@ -69,31 +73,6 @@ impl Table {
         }
     }
 
-    /// A table of the same columns, without rows but with room for some.
-    pub fn part(&self, room: usize) -> Self {
-        let column = |(index, attribute): &(usize, Attribute)| {
-            let Attribute { name, values } = attribute;
-            (*index, Attribute { name: name.clone(), values: Scalar::of(values).column(room) })
-        };
-        Self {
-            positions: Vec::with_capacity(room),
-            axes: self.axes,
-            columns: self.columns.iter().map(column).collect(),
-            grid: self.grid.as_ref().map(|grid| Grid { outside: 0, ..grid.clone() }),
-        }
-    }
-
-    /// Appends the rows of a part.
-    pub fn join(&mut self, mut part: Self) {
-        self.positions.append(&mut part.positions);
-        for ((_, all), (_, some)) in self.columns.iter_mut().zip(part.columns) {
-            crate::columns::join(&mut all.values, some.values);
-        }
-        if let (Some(grid), Some(part)) = (&mut self.grid, part.grid) {
-            grid.outside += part.outside;
-        }
-    }
-
     /// Bytes that a row takes in memory.
     pub fn row_bytes(&self) -> usize {
         24 + self.columns.iter().map(|(_, a)| Scalar::of(&a.values).size()).sum::<usize>()
@@ -114,20 +93,6 @@ impl Table {
     pub fn level(&mut self) {
         for (_, attribute) in &mut self.columns {
             truncate(&mut attribute.values, self.positions.len());
-        }
-    }
-
-    /// Where the table ends now, for [`Table::back_to`].
-    pub fn mark(&self) -> (usize, usize) {
-        (self.positions.len(), self.grid.as_ref().map_or(0, |grid| grid.outside))
-    }
-
-    /// Drops the rows that came after a mark.
-    pub fn back_to(&mut self, (rows, outside): (usize, usize)) {
-        self.positions.truncate(rows);
-        self.level();
-        if let Some(grid) = &mut self.grid {
-            grid.outside = outside;
         }
     }
 

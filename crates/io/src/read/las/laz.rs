@@ -5,23 +5,20 @@ use super::chunks::{Chunk, at, chunks};
 use super::copc;
 use super::header::{Fields, Header, LasFrame, Record};
 use super::records;
-use crate::columns::Endian;
 use crate::error::{Error, Place};
 use crate::quiet;
-use crate::read::rows::{Field, Table};
+use crate::read::rows::{Field, Part, Table};
 use crate::read::{ReadOptions, limit};
-use crate::source::{Input, Source};
+use crate::source::{Input, Shared, Source};
 use laz::record::{LayeredPointRecordDecompressor, RecordDecompressor, SequentialPointRecordDecompressor};
 use laz::{DecompressionSelection, LazItem, LazItemType, LazVlr};
 use rayon::prelude::*;
 use std::io::{Cursor, Seek, SeekFrom};
 
-/// Chunks that are unpacked at a time, side by side, where there are threads for it; as many wait for their place in the table meanwhile.
-const BATCH: usize = 4;
-/// Unpacked bytes of a chunk beyond which it goes alone.
-const LARGE: u64 = 4 << 20;
 /// Unpacked bytes that are held at a time of a chunk: they go to the table while they are in the cache.
 const STEP: usize = 1 << 17;
+/// Chunks that are shared out among threads at a time: a part of the table takes more memory than the least chunk.
+const GROUP: usize = 1 << 10;
 
 /// How the records are packed.
 pub(super) struct Packing {
@@ -66,38 +63,13 @@ pub(super) fn read(
     };
     let wanted: u64 = chunks.iter().map(|chunk| chunk.points).sum();
     limit::check(source, options, wanted, table.row_bytes())?;
-    table.reserve(wanted as usize);
-    let side_by_side = if rayon::current_num_threads() > 1 { BATCH } else { 1 };
-    let (unpacking, pattern) = (Unpacking { packing: &packing, fields }, table.part(0));
-    let mut waiting = Vec::new();
-    let mut result = Ok(());
-    for batch in batches(&chunks, packing.record, side_by_side) {
-        let mut packed = Vec::new();
-        for chunk in batch {
-            packed.push(bytes(source, &mut input, chunk)?);
-        }
-        let before = std::mem::take(&mut waiting);
-        // The parts of one batch are put together while the next is unpacked.
-        let (unpacked, put) = rayon::join(
-            || if batch.len() > 1 { unpacking.all(batch, &mut packed, &pattern) } else { Vec::new() },
-            || put(table, before),
-        );
-        waiting = unpacked;
-        result = put.and_then(|()| match (batch, packed.pop()) {
-            ([chunk], Some(packed)) => unpacking.one(chunk, packed, table).map_err(|what| (chunk, what)),
-            _ => Ok(()),
-        });
-        if result.is_err() {
-            break;
-        }
-    }
-    match result.and_then(|()| put(table, waiting)) {
-        Err((chunk, what)) if !options.salvage => Err(broken(source, chunk, &what)),
-        _ => {
-            let (rows, passed) = (table.positions.len() as u64, header.points.saturating_sub(wanted));
-            Ok(Taken { rows, passed, projections, extended })
-        }
-    }
+    let rows = match unpack_all(&chunks, input, &packing, fields, table) {
+        Err((chunk, what)) if !options.salvage => return Err(broken(source, &chunks[chunk], &what)),
+        Err((chunk, _)) => chunks[..chunk].iter().map(|chunk| chunk.points).sum(),
+        Ok(()) => wanted,
+    };
+    table.truncate(rows as usize);
+    Ok(Taken { rows, passed: header.points.saturating_sub(wanted), projections, extended })
 }
 
 /// The extended records.
@@ -114,54 +86,54 @@ fn extended(
     })
 }
 
-/// A chunk with its rows, or why it cannot be unpacked.
-type Unpacked<'a> = (&'a Chunk, Result<Table, String>);
-
-/// Appends the rows of chunks to the table, up to the first that could not be unpacked.
-fn put<'a>(table: &mut Table, chunks: Vec<Unpacked<'a>>) -> Result<(), (&'a Chunk, String)> {
-    for (chunk, part) in chunks {
-        table.join(part.map_err(|what| (chunk, what))?);
+/// Unpacks all chunks, side by side where there are threads for it, into the table. The error is the first chunk that
+/// cannot be unpacked whole, and why.
+fn unpack_all(
+    chunks: &[Chunk],
+    input: Input,
+    packing: &Packing,
+    fields: &[Field],
+    table: &mut Table,
+) -> Result<(), (usize, String)> {
+    let input = Shared::new(input).map_err(|error| (0, error.to_string()))?;
+    table.zeros(chunks.iter().map(|chunk| chunk.points as usize).sum());
+    let (mut row, mut before) = (0, 0);
+    for group in chunks.chunks(GROUP) {
+        let lengths: Vec<usize> = group.iter().map(|chunk| chunk.points as usize).collect();
+        let parts = table.parts(row, &lengths).ok_or_else(|| (before, "no grid".into()))?;
+        let work = parts.into_par_iter().zip(group).with_max_len(1);
+        let unpacked: Vec<Result<usize, String>> =
+            work.map(|(part, chunk)| unpack(chunk, &input, packing, fields, part)).collect();
+        for (index, outside) in unpacked.into_iter().enumerate() {
+            table.count_outside(outside.map_err(|what| (before + index, what))?);
+        }
+        (row, before) = (row + lengths.iter().sum::<usize>(), before + group.len());
     }
     Ok(())
 }
 
-/// How records are packed, and where in them the numbers lie.
-struct Unpacking<'a> {
-    packing: &'a Packing,
-    fields: &'a [Field],
-}
-
-impl Unpacking<'_> {
-    /// Unpacks chunks side by side, taking their packed bytes, each into a table like the pattern.
-    fn all<'c>(&self, batch: &'c [Chunk], packed: &mut Vec<Vec<u8>>, pattern: &Table) -> Vec<Unpacked<'c>> {
-        let pairs = batch.par_iter().zip(std::mem::take(packed));
-        let unpacked = pairs.map(|(chunk, bytes)| {
-            let mut part = pattern.part(chunk.points as usize);
-            (chunk, self.one(chunk, bytes, &mut part).map(|()| part))
-        });
-        unpacked.collect()
-    }
-
-    /// Unpacks a chunk into a table, some records at a time; nothing of it stays there if it cannot be unpacked whole.
-    fn one(&self, chunk: &Chunk, bytes: Vec<u8>, table: &mut Table) -> Result<(), String> {
-        let record = self.packing.record;
-        let step = (STEP / record).max(1).min(chunk.points as usize);
-        let mut rows = vec![0; step * record];
-        let mut left = chunk.points;
-        let before = table.mark();
-        let result = quiet::catch(|| {
-            let mut unpacker = unpacker(bytes, self.packing)?;
-            while left > 0 {
-                let some = left.min(step as u64) as usize * record;
-                unpacker.decompress_many(&mut rows[..some]).map_err(|error| error.to_string())?;
-                table.append(&rows[..some], record, self.fields, Endian::Little);
-                left -= (some / record) as u64;
-            }
-            Ok(())
-        });
-        let result = result.unwrap_or_else(|| Err("the decoder gave up".into()));
-        result.inspect_err(|_| table.back_to(before))
-    }
+/// Unpacks a chunk into its part of the table, some records at a time; gives how many points lie outside the bounds.
+fn unpack(
+    chunk: &Chunk,
+    input: &Shared,
+    packing: &Packing,
+    fields: &[Field],
+    mut part: Part,
+) -> Result<usize, String> {
+    let bytes = input.at(chunk.start, chunk.bytes as usize).map_err(|error| error.to_string())?;
+    let (record, points) = (packing.record, chunk.points as usize);
+    let step = (STEP / record).max(1).min(points);
+    let mut rows = vec![0; step * record];
+    let unpacked = quiet::catch(|| {
+        let mut unpacker = unpacker(bytes, packing)?;
+        for first in (0..points).step_by(step) {
+            let some = &mut rows[..step.min(points - first) * record];
+            unpacker.decompress_many(some).map_err(|error| error.to_string())?;
+            part.fill(first, some, record, fields);
+        }
+        Ok(part.outside())
+    });
+    unpacked.unwrap_or_else(|| Err("the decoder gave up".into()))
 }
 
 fn broken(source: &Source, chunk: &Chunk, what: &str) -> Error {
@@ -232,11 +204,6 @@ fn item_size(kind: LazItemType) -> (usize, usize) {
     }
 }
 
-/// The packed bytes of a chunk, whose layers are checked against its length.
-fn bytes(source: &Source, input: &mut Input, chunk: &Chunk) -> Result<Vec<u8>, Error> {
-    at(source, input, chunk.start, chunk.bytes as usize)
-}
-
 /// Whether the layers that a chunk announces are in it.
 fn layers_fit(bytes: &[u8], packing: &Packing) -> bool {
     let Some(sizes) = bytes.get(packing.record + 4..) else { return false };
@@ -246,21 +213,6 @@ fn layers_fit(bytes: &[u8], packing: &Packing) -> bool {
     let total: u64 =
         sizes.chunks_exact(4).take(packing.layers).map(|s| u64::from(Fields(s).number::<u32>())).sum();
     total <= (sizes.len() - 4 * packing.layers) as u64
-}
-
-/// Runs of chunks to unpack together.
-fn batches(chunks: &[Chunk], record: usize, most: usize) -> impl Iterator<Item = &[Chunk]> {
-    let mut rest = chunks;
-    std::iter::from_fn(move || {
-        let small = rest
-            .iter()
-            .take(most)
-            .take_while(|chunk| chunk.points.saturating_mul(record as u64) <= LARGE)
-            .count();
-        let (batch, after) = rest.split_at(small.max(1).min(rest.len()));
-        rest = after;
-        Some(batch).filter(|batch| !batch.is_empty())
-    })
 }
 
 type Unpacker<'a> = Box<dyn RecordDecompressor<Cursor<Vec<u8>>> + 'a>;
