@@ -107,8 +107,8 @@ fn places(strip: &Strip, step: f64) -> Vec<[f64; 3]> {
 fn thinned(strip: &Strip, most: usize) -> Vec<[f64; 3]> {
     let every = strip.points.len().div_ceil(most).max(1);
     let mut points: Vec<_> = strip.points.iter().copied().step_by(every).collect();
-    let beyond = strip.points.len().saturating_sub(1) % every != 0;
-    points.extend(strip.points.last().filter(|_| beyond && !strip.closed));
+    let whole = strip.points.len().saturating_sub(1).is_multiple_of(every);
+    points.extend(strip.points.last().filter(|_| !whole && !strip.closed));
     points
 }
 
