@@ -84,8 +84,24 @@ def by_pypcd4(pypcd4, xyz, folder):
         yield path
 
 
+def by_trimesh(trimesh, xyz, folder):
+    place = np.eye(4)
+    place[:3, 3] = [665187.25, 5648349.5, 241.5]
+    scene = trimesh.Scene()
+    scene.add_geometry(trimesh.PointCloud(xyz - place[:3, 3]), transform=place)
+    path = os.path.join(folder, "moved.glb")
+    scene.export(path)
+    yield path
+    for name, embed in (("beside.gltf", False), ("embedded.gltf", True)):
+        for part, data in trimesh.exchange.gltf.export_gltf(scene, embed_buffers=embed).items():
+            path = os.path.join(folder, name if part.endswith(".gltf") else part)
+            with open(path, "wb") as file:
+                file.write(data)
+        yield os.path.join(folder, name)
+
+
 WRITERS = [("pyarrow", by_pyarrow), ("pandas", by_pandas), ("duckdb", by_duckdb), ("numpy", by_numpy), ("laspy", by_laspy),
-           ("pypcd4", by_pypcd4)]
+           ("pypcd4", by_pypcd4), ("trimesh", by_trimesh)]
 
 
 def main():
@@ -103,6 +119,8 @@ def main():
                 read = np.zeros((0, 3)) if run.returncode else np.fromfile(out, "<f8").reshape(-1, 3)
                 # LAS scales integers, which rounds in the last digits.
                 near = 1e-8 if path.endswith(("las", "laz")) else 0
+                # glTF has floats under transformations in doubles.
+                near = 4e-6 if path.endswith(("glb", "gltf")) else near
                 same = read.shape == xyz.shape and np.abs(read - xyz).max() <= near
                 print(f"{'ok  ' if same else 'DIFF'} {os.path.basename(path)} by {module.__name__}: {run.stderr.strip() or len(read)}")
                 good &= same
