@@ -1,6 +1,7 @@
 //! Number types of files and the columns that their values go into.
 
 use lineament::Column;
+use rayon::prelude::*;
 
 /// A number type that a file stores.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -139,7 +140,53 @@ pub(crate) fn append(column: &mut Column, rows: &[u8], stride: usize, offset: us
 }
 
 fn extend<T: Number>(values: &mut Vec<T>, rows: &[u8], stride: usize, offset: usize, endian: Endian) {
-    values.extend(rows.chunks_exact(stride).map(|row| number::<T>(&row[offset..], endian)));
+    each_row(values, rows, stride, |row| number::<T>(&row[offset..], endian));
+}
+
+/// Bytes of rows from which on threads share them: most of the time goes into touching memory that is fresh.
+pub(crate) const SHARED: usize = 1 << 20;
+/// Rows that a thread takes at least.
+const LEAST_ROWS: usize = 1 << 13;
+
+/// Appends what `take` makes of every row (`stride` bytes each) of `rows`, in their order.
+fn each_row<T: Send>(
+    values: &mut Vec<T>,
+    rows: &[u8],
+    stride: usize,
+    take: impl Fn(&[u8]) -> T + Send + Sync,
+) {
+    if rows.len() < SHARED {
+        values.extend(rows.chunks_exact(stride).map(take));
+    } else {
+        values.par_extend(rows.par_chunks_exact(stride).with_min_len(LEAST_ROWS).map(take));
+    }
+}
+
+/// Appends the points whose coordinates are fields, at `offsets` and all of one type, of every row (`stride` bytes each).
+pub(crate) fn append_points(
+    points: &mut Vec<[f64; 3]>,
+    rows: &[u8],
+    stride: usize,
+    (kind, offsets): (Scalar, [usize; 3]),
+    endian: Endian,
+) {
+    each_column!(&kind.column(0), values => points_like(values, points, rows, stride, offsets, endian));
+}
+
+/// Points from fields of the type of `_kind`.
+fn points_like<T: Number>(
+    _kind: &[T],
+    points: &mut Vec<[f64; 3]>,
+    rows: &[u8],
+    stride: usize,
+    offsets: [usize; 3],
+    endian: Endian,
+) {
+    let point = |row: &[u8], endian| offsets.map(|offset| number::<T>(&row[offset..], endian).to_f64());
+    match endian {
+        Endian::Little => each_row(points, rows, stride, |row| point(row, Endian::Little)),
+        Endian::Big => each_row(points, rows, stride, |row| point(row, Endian::Big)),
+    }
 }
 
 /// Appends a value to a column. `false`, and nothing is appended, if the type of the column cannot hold it.
@@ -183,7 +230,7 @@ pub(crate) fn capacity(column: &Column) -> usize {
 }
 
 /// A number of fixed size in a file.
-pub(crate) trait Number: Copy {
+pub(crate) trait Number: Copy + Send {
     /// From little or big endian bytes; 0 if they are too few.
     fn from_bytes(bytes: &[u8], endian: Endian) -> Self;
     /// As little endian bytes.

@@ -159,6 +159,28 @@ fn refusals_name_the_line_and_the_value() {
 }
 
 #[test]
+fn a_large_file_that_threads_share_gives_every_row_in_its_place() {
+    let count = 700_000u32;
+    let elements = format!(
+        "element vertex {count}\nproperty double z\nproperty uint id\nproperty double x\nproperty double y\nend_header\n"
+    );
+    let point = |i: u32| [f64::from(i) / 7.0, -f64::from(i), f64::from(i % 11)];
+    for big in [false, true] {
+        let mut file = header(if big { "binary_big_endian" } else { "binary_little_endian" }, &elements);
+        for i in 0..count {
+            let [x, y, z] = point(i);
+            let double = |value: f64| if big { value.to_be_bytes() } else { value.to_le_bytes() };
+            file.extend(double(z));
+            file.extend(if big { i.to_be_bytes() } else { i.to_le_bytes() });
+            file.extend([double(x), double(y)].concat());
+        }
+        let scan = from_bytes(&file, "large.ply", &options()).unwrap();
+        assert!(scan.cloud.positions.iter().copied().eq((0..count).map(point)));
+        assert_eq!(scan.cloud.attributes[0].values, Column::U32((0..count).collect()));
+    }
+}
+
+#[test]
 fn a_negative_list_length_is_refused() {
     let elements = "element vertex 1\nproperty list char float w\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
     let mut file = header("binary_little_endian", elements);

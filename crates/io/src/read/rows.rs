@@ -4,13 +4,15 @@ mod parts;
 
 pub(crate) use parts::Part;
 
-use crate::columns::{Endian, Number, Scalar, append, push, truncate};
+use crate::columns::{Endian, Number, SHARED, Scalar, append, append_points, push, truncate};
 use crate::error::Error;
 use crate::source::Source;
 use lineament::{Attribute, Cloud};
 
 /// Bytes decoded at a time: they stay in the second-level cache while every column takes its part.
 const CHUNK: usize = 1 << 17;
+/// Bytes of rows from which on more are decoded at a time, so that threads can share them.
+const MANY: u64 = 1 << 24;
 
 /// Where a number lies in a row.
 #[derive(Clone, Copy, Debug)]
@@ -100,6 +102,11 @@ impl Table {
     pub fn append(&mut self, bytes: &[u8], stride: usize, fields: &[Field], endian: Endian) {
         if let Some(grid) = &mut self.grid {
             self.positions.extend(bytes.chunks_exact(stride).map(|row| grid.place(row)));
+        } else if let [x, y, z] = self.axes.map(|axis| fields[axis])
+            && [x.kind, y.kind] == [z.kind; 2]
+        {
+            let offsets = [x.offset, y.offset, z.offset];
+            append_points(&mut self.positions, bytes, stride, (x.kind, offsets), endian);
         } else {
             let first = self.positions.len();
             self.positions.resize(first + bytes.len() / stride, [0.0; 3]);
@@ -123,8 +130,10 @@ impl Table {
         endian: Endian,
     ) -> Result<u64, Error> {
         let mut done = 0;
+        let many = count.saturating_mul(stride as u64) > MANY;
+        let chunk = if many { 2 * SHARED } else { CHUNK };
         while done < count {
-            let here = source.peek(stride.max(CHUNK))?;
+            let here = source.peek(stride.max(chunk))?;
             let rows = ((here.len() / stride) as u64).min(count - done) as usize;
             if rows == 0 {
                 break;

@@ -16,7 +16,7 @@ trait Values: Send {
     fn fill(&mut self, first: usize, rows: &[u8], stride: usize, offset: usize);
 }
 
-impl<T: Number + Send> Values for &mut [T] {
+impl<T: Number> Values for &mut [T] {
     fn fill(&mut self, first: usize, rows: &[u8], stride: usize, offset: usize) {
         for (value, row) in self[first..].iter_mut().zip(rows.chunks_exact(stride)) {
             *value = T::from_bytes(&row[offset..], Endian::Little);
