@@ -1,8 +1,9 @@
-//! What the stack of slices names beside what each part has: `cargo run --release --example naming_table -- [PART] [-v]`.
+//! What the stack of slices names beside what each part has: `cargo run --release --example naming_table -- [PART] [-v] [-q]`.
 //!
 //! Each part of `tests/naming/parts.rs` is scanned with several seeds and noise levels, turned or not, and cut in several
 //! numbers of slices. A row tells of one part, view and noise: features named, the share of ends and sizes (radii,
-//! apexes) within 0.1 spacing, the worst ones, and what is missing or named for nothing over all its clouds.
+//! apexes) within 0.1 spacing, the worst ones, and what is missing or named for nothing over all its clouds. `-v` tells
+//! of each, `-q` takes one seed.
 
 #[path = "../tests/naming/judge.rs"]
 mod judge;
@@ -53,6 +54,7 @@ fn case(sampled: &Sampled, view: &View, tilted: bool, count: usize) -> (Verdict,
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let verbose = arguments.iter().any(|a| a == "-v");
+    let quick = arguments.iter().any(|a| a == "-q");
     let wanted = arguments.iter().find(|a| !a.starts_with('-'));
     let parts: Vec<Part> = parts::parts()
         .into_iter()
@@ -79,7 +81,8 @@ fn main() {
                 part.shape
                     .sample(&Scan::new(Sampling::BlueNoise { count: part.count }).noise(noise).seed(seed))
             };
-            let scans: Vec<Sampled> = SEEDS.par_iter().map(scan).collect();
+            let seeds = if quick { &SEEDS[..1] } else { &SEEDS };
+            let scans: Vec<Sampled> = seeds.par_iter().map(scan).collect();
             for view in &part.views {
                 let sum = row(&scans, view, verbose);
                 println!("{:20} {:4} {noise:5} {sum}", part.shape.name, ["x", "y", "z"][view.axis]);
@@ -92,15 +95,17 @@ fn main() {
 
 fn row(scans: &[Sampled], view: &View, verbose: bool) -> Sum {
     let mut sum = Sum::default();
-    for (k, sampled) in scans.iter().enumerate() {
-        for (c, count) in COUNTS.into_iter().enumerate() {
-            let tilted = (k + c) % 3 == 2;
-            let (verdict, repeats) = case(sampled, view, tilted, count);
-            if verbose {
-                tell(&verdict, &format!("{} of {count}{}", SEEDS[k], if tilted { " tilted" } else { "" }));
-            }
-            sum.count(&verdict, repeats >= view.repeats);
+    let cases: Vec<(usize, usize)> =
+        (0..scans.len()).flat_map(|k| (0..COUNTS.len()).map(move |c| (k, c))).collect();
+    let tilted = |k: usize, c: usize| (k + c) % 3 == 2;
+    let found: Vec<(Verdict, usize)> =
+        cases.par_iter().map(|&(k, c)| case(&scans[k], view, tilted(k, c), COUNTS[c])).collect();
+    for (&(k, c), (verdict, repeats)) in cases.iter().zip(&found) {
+        if verbose {
+            let way = if tilted(k, c) { " tilted" } else { "" };
+            tell(verdict, &format!("{} of {}{way}", SEEDS[k], COUNTS[c]));
         }
+        sum.count(verdict, *repeats >= view.repeats);
     }
     sum
 }

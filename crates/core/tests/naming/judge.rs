@@ -87,10 +87,9 @@ fn compare(k: &Known, shift: f64, run: &Run, h: f64, verdict: &mut Verdict) {
     match (k.kind, run.feature) {
         (Kind::Extrusion(Some(a)), Feature::Extrusion { radius: Some(b) }) => size(b, a),
         (Kind::Taper(a, r), Feature::Taper { apex, radius, .. }) => {
-            // An apex far off is known the less.
-            let length = k.to - k.from;
-            let far = (a - k.from).abs().max((a - k.to).abs()) / length;
-            size((apex - a - shift) / far.max(1.0), 0.0);
+            // An apex is extrapolated: a twentieth of its distance stands for the tenth of a spacing asked of the rest.
+            let far = (a - k.from).abs().max((a - k.to).abs());
+            size(h * (apex - a - shift) / (0.5 * far), 0.0);
             if let Some(r) = r {
                 size(radius.unwrap_or(f64::MAX), r);
             }
