@@ -47,7 +47,8 @@ pub(super) fn refine(
     runs: &mut [Found],
 ) {
     let sizes: Vec<Size> = runs.par_iter().map(Size::new).collect();
-    let searches: Vec<Search> = runs.iter().flat_map(|r| near::searches(r, sections)).collect();
+    let searches: Vec<Search> =
+        runs.iter().zip(&sizes).flat_map(|(r, size)| near::searches(r, size, sections)).collect();
     let near = Ground::new(local, index, tiles, sections).near(&searches);
     let found = searches.par_iter().zip(&near).enumerate();
     let mut ends: Vec<Option<End>> =
@@ -96,7 +97,10 @@ fn end(search: &Search, spots: &[Spot], size: &Size, sections: &Sections) -> Opt
     let (h, noise) = (sections.spacing, sections.noise);
     let face = face::face(search, spots, h, noise);
     let fold = search.upright.then(|| fold::fold(search, spots, h, noise)).flatten();
-    let nearer = |a: End, b: End| if search.ahead(a.height) <= search.ahead(b.height) { a } else { b };
+    // A face is surer where both show one edge.
+    let nearer = |a: End, b: End| {
+        if search.ahead(a.height) <= search.ahead(b.height) + 0.5 * h { a } else { b }
+    };
     let first = match (face, fold) {
         (Some(a), Some(b)) => Some(nearer(a, b)),
         (a, b) => a.or(b),

@@ -8,29 +8,23 @@ use super::profile::Profile;
 /// Share of an outline that a slice must show for it to be there.
 const SHOWN: f64 = 0.6;
 /// Slices to either side that tell whether a contour is a hole.
-const BESIDE: usize = 2;
+const BESIDE: usize = 3;
 /// How far two outlines may lie apart to be one, in tolerances.
 const SAME: f64 = 2.0;
 
-/// Makes solid or hole of contours what the same outline is in the slices below and above.
+/// Makes solid or hole of contours what the same outline is in slices below and above.
 pub(super) fn sides(levels: &mut [Vec<Profile>], tolerance: f64) {
-    let like = |level: &[Profile], p: &Profile| {
-        let near = |q: &&Profile| {
-            (q.area.sqrt() - p.area.sqrt()).abs() <= SAME * 4.0 * tolerance
-                && q.apart(p, [0.0; 2]).mean <= SAME * tolerance
-        };
-        level.iter().find(near).map(|q| q.hole)
+    let size = |q: &Profile, p: &Profile| (q.area.sqrt() - p.area.sqrt()).abs() <= SAME * 4.0 * tolerance;
+    let other = |level: &[Profile], p: &Profile| {
+        let like = |q: &Profile| size(q, p) && q.apart(p, [0.0; 2]).mean <= SAME * tolerance;
+        level.iter().any(|q| q.hole != p.hole && like(q))
     };
     let mut turned = Vec::new();
     for (k, level) in levels.iter().enumerate() {
+        let below = k.saturating_sub(BESIDE)..k;
+        let above = k + 1..(k + 1 + BESIDE).min(levels.len());
         for (j, p) in level.iter().enumerate() {
-            // Most contours have a neighbour of their own kind, which costs one look.
-            let below = (k.saturating_sub(BESIDE)..k).rev().find_map(|l| like(&levels[l], p));
-            if below.is_none_or(|hole| hole == p.hole) {
-                continue;
-            }
-            let above = (k + 1..(k + 1 + BESIDE).min(levels.len())).find_map(|l| like(&levels[l], p));
-            if above == below {
+            if below.clone().any(|l| other(&levels[l], p)) && above.clone().any(|l| other(&levels[l], p)) {
                 turned.push((k, j));
             }
         }

@@ -7,8 +7,10 @@ use crate::math::vec3;
 
 /// Fewest points that show a face.
 const FACE: usize = 8;
-/// Share of the spread that a parabola must explain to be preferred to a level.
-const BETTER: f64 = 0.75;
+/// Share of the squared spread that a parabola may leave to be preferred to a level.
+const BETTER: f64 = 0.8;
+/// What it must explain, in shares of one point of the squared spread.
+const CLEARLY: f64 = 12.0;
 
 /// The first face met going away from the slice: a cluster of heights without a gap.
 pub(super) fn face(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<End> {
@@ -33,17 +35,15 @@ fn settled(cluster: &[Spot], centre: Option<[f64; 2]>, h: f64, noise: f64) -> Op
         return None;
     }
     let heights: Vec<f64> = cluster.iter().map(|s| s.height).collect();
-    let (level, spread) = middle(&heights);
-    let mut best = (level, spread);
-    for (height, rest) in [centre.and_then(|c| ring(cluster, c)), crest(cluster)].into_iter().flatten() {
-        let clear = best.1 > 0.1 * h && rest <= BETTER * best.1;
-        if clear {
-            best = (height, rest);
-        }
-    }
-    let (height, spread) = best;
-    let thin = spread <= (0.3 + 3.0 * noise) * h;
-    let error = 1.3 * spread / (cluster.len() as f64).sqrt() + 1e-3 * h;
+    let level = middle(&heights);
+    let n = cluster.len() as f64;
+    let models = [centre.and_then(|c| ring(cluster, c)), crest(cluster, h)].into_iter().flatten();
+    let (height, spread) = models
+        .filter(|m| m.1 * m.1 <= level.1 * level.1 * (1.0 - CLEARLY / n).min(BETTER))
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .unwrap_or(level);
+    let thin = height.is_finite() && spread <= (0.3 + 3.0 * noise) * h;
+    let error = 1.3 * spread / n.sqrt() + 1e-3 * h;
     thin.then_some(End { height, error, by: By::Face })
 }
 
@@ -82,8 +82,8 @@ fn ring(cluster: &[Spot], centre: [f64; 2]) -> Option<(f64, f64)> {
 }
 
 /// The level height and the spread about a parabola over both coordinates. Where it is bent one way only, as over a bore,
-/// that way alone counts.
-fn crest(cluster: &[Spot]) -> Option<(f64, f64)> {
+/// that way alone counts; not a number where it is slanted and nowhere level.
+fn crest(cluster: &[Spot], h: f64) -> Option<(f64, f64)> {
     let n = cluster.len() as f64;
     let mean = vec3::scale(
         cluster.iter().fold([0.0; 3], |sum, s| vec3::add(sum, [s.at[0], s.at[1], s.height])),
@@ -112,8 +112,11 @@ fn crest(cluster: &[Spot]) -> Option<(f64, f64)> {
         let slope = bx * u + by * v;
         let level = -slope / (2.0 * bend);
         // What the bend changes over the cluster must stand out of the rest.
-        if bend.abs() > spread && level.abs() <= 1.0 {
+        if bend.abs() * n.sqrt() > 4.0 * spread && level.abs() <= 1.5 {
             height += 0.5 * slope * level;
+        } else if slope.abs() > (0.5 * h).max(spread) {
+            // Nowhere level.
+            return Some((f64::NAN, spread));
         }
     }
     Some((mean[2] + height, spread))

@@ -53,7 +53,11 @@ impl Search<'_> {
 }
 
 /// The searches for both ends of a run.
-pub(super) fn searches<'a>(Found { run, profiles, .. }: &Found<'a>, sections: &Sections) -> [Search<'a>; 2] {
+pub(super) fn searches<'a>(
+    Found { run, profiles, .. }: &Found<'a>,
+    size: &Size,
+    sections: &Sections,
+) -> [Search<'a>; 2] {
     // A slice within a spacing of a face may not show the outline whole: the face then lies past that slice, and noise
     // spreads its points.
     let past = (1.0 + 4.0 * sections.noise) * sections.spacing;
@@ -63,6 +67,7 @@ pub(super) fn searches<'a>(Found { run, profiles, .. }: &Found<'a>, sections: &S
     let below =
         if run.range_error[0].is_finite() { 2.0 * run.from - first - past } else { f64::NEG_INFINITY };
     let above = if run.range_error[1].is_finite() { 2.0 * run.to - last + past } else { f64::INFINITY };
+    let [below, above] = size.to_apex([below, above], [first, last], sections.spacing);
     let behind = (BEHIND * sections.spacing).min(0.5 * (last - first));
     let upright = matches!(run.feature, Feature::Extrusion { .. });
     [

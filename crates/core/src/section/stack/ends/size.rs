@@ -4,6 +4,9 @@
 use super::super::Feature;
 use super::super::runs::Found;
 
+/// How far from the last contour an apex is looked for, in spacings.
+const NEAR: f64 = 12.0;
+
 /// Area, and radius if round, as polynomials of the height over the middle.
 #[derive(Clone, Debug)]
 pub(super) struct Size {
@@ -56,6 +59,20 @@ impl Size {
         let side = if self.grows { -1.0 } else { 1.0 };
         let roots = roots([a, b, c]).into_iter().filter(|r| r * side > 0.0);
         self.middle + roots.min_by(|p, q| p.abs().total_cmp(&q.abs())).unwrap_or(-b / (2.0 * c))
+    }
+
+    /// The ends of searches from the outermost contours, farther where the outline shrinks to nothing not far beyond: the
+    /// last slices before an apex show no contour.
+    pub(super) fn to_apex(&self, outer: [f64; 2], own: [f64; 2], h: f64) -> [f64; 2] {
+        let apex = self.apex();
+        let [below, above] = outer;
+        if apex > own[1] && apex - own[1] <= NEAR * h {
+            return [below, above.max(apex + 2.0 * h)];
+        }
+        if apex < own[0] && own[0] - apex <= NEAR * h {
+            return [below.min(apex - 2.0 * h), above];
+        }
+        outer
     }
 
     /// The height, about between two slices, at which this outline and the next are of one size.

@@ -5,6 +5,10 @@ use super::{ASTRAY, FOLD, Feature, JUMP, Kinds, Reached};
 /// Share of a run's contours that must be circles for it to be round.
 const ROUND: f64 = 0.6;
 
+/// Slices, and height in spacings, over which a like outline shows upright walls.
+const MANY: usize = 5;
+const LONG: f64 = 4.0;
+
 impl Kinds<'_> {
     /// All extrusions of the track, ascending.
     pub(super) fn extrusions(&self) -> Vec<Reached> {
@@ -97,9 +101,34 @@ impl Kinds<'_> {
     }
 
     /// Whether the walls of a run stand along the axis all round: two slices at either side of a bore that lies along
-    /// them show the same outline, but walls that lean.
+    /// them show the same outline, but walls that lean. Over many slices walls may seem to lean from noise, if they do
+    /// so alike throughout; about the widest slice of a sphere they lean the more, the farther from it.
     fn upright(&self, first: usize, last: usize) -> bool {
-        self.median(first, last, |k| self.all[k].draft_deg.abs()) <= self.slopes[0]
-            && self.median(first, last, |k| self.all[k].steepest_deg) <= self.slopes[1]
+        let draft = |k: usize| self.all[k].draft_deg.abs();
+        let steepest = |k: usize| self.all[k].steepest_deg;
+        let quarter = (last - first) / 4;
+        let alike = |of: &dyn Fn(usize) -> f64| {
+            let middle = self.median(first + quarter, last - quarter, of);
+            let ends = [(first, first + quarter), (last - quarter, last)].map(|(a, b)| self.median(a, b, of));
+            ends[0].min(ends[1]) - middle <= 0.5 * self.slopes[0]
+        };
+        let long = last + 1 - first >= MANY
+            && self.all[last].height - self.all[first].height >= LONG * self.spacing
+            && alike(&draft)
+            && alike(&steepest);
+        // Beside a face the planes of single points stray, and of few slices most may lie there.
+        let few = last + 1 - first < MANY && self.jumps(first, false) && self.jumps(last, true);
+        let (slack, steep_slack) = if long { (2.0, 2.0) } else { (1.0, if few { 1.5 } else { 1.0 }) };
+        let steep = if last == first + 1 {
+            steepest(first).min(steepest(last))
+        } else {
+            self.median(first, last, steepest)
+        };
+        self.median(first, last, draft) <= slack * self.slopes[0] && steep <= steep_slack * self.slopes[1]
+    }
+
+    /// Whether the track ends or shows clearly another outline beyond an end.
+    fn jumps(&self, end: usize, up: bool) -> bool {
+        self.outside(end, up).next().is_none_or(|next| !self.nearly(end, next))
     }
 }

@@ -1,6 +1,6 @@
 //! Runs of an outline that moves evenly with height.
 
-use super::super::super::vec2::{along, cross, sub};
+use super::super::super::vec2::{along, cross, sub, unit};
 use super::super::profile::Profile;
 use super::{FOLD, Feature, JUMP, Kinds, Reached, reach};
 
@@ -8,6 +8,8 @@ use super::{FOLD, Feature, JUMP, Kinds, Reached, reach};
 const LEAST: usize = 4;
 /// Least fold at the ends of a taper, in what its own bend, or what is taken for none, would be there.
 const SHARP: f64 = 4.0;
+/// How far the halves of a taper may lean apart, in slopes that are taken for none.
+const BEND: f64 = 1.5;
 /// Radius in spacings below which a contour says little.
 const SMALL: f64 = 3.0;
 
@@ -41,12 +43,15 @@ impl Kinds<'_> {
         let angle_deg = (moved / span).atan().to_degrees();
         let sides = [(first, false), (last, true)];
         let short = last + 1 - first < LEAST;
-        let ends = |&(end, up): &(usize, bool)| {
-            if short { self.folds(first, last, end, up) } else { self.leaves(first, last, end, up) }
+        let ends = if short {
+            let folds = sides.map(|(end, up)| self.folds(first, last, end, up));
+            folds.contains(&Some(true)) && !folds.contains(&Some(false))
+        } else {
+            sides.iter().all(|&(end, up)| self.leaves(first, last, end, up))
         };
         // Less than the extrusion's own tolerance to both sides is none.
         let moves = self.apart(first, last).mean >= 3.0 * self.tolerance;
-        if !moves || !self.leans(first, last, short) || !sides.iter().all(ends) {
+        if !moves || !ends || !self.leans(first, last, short) {
             return None;
         }
         let feature = Feature::Taper { angle_deg, apex: f64::NAN, radius: None };
@@ -54,18 +59,14 @@ impl Kinds<'_> {
     }
 
     /// The greatest mean distance of an outline from where the first and the last, blended by height, would put it, if
-    /// it is within the tolerance; the mean wall must not bend by more than half of that.
+    /// it is within the tolerance; with its sign it must be within half of that, as a wall that bends does so to one side.
     fn blended(&self, first: usize, last: usize) -> Option<f64> {
-        let (low, high) = (self.all[first], self.all[last]);
-        let share = |p: &Profile| (p.height - low.height) / (high.height - low.height);
-        let pairs: Vec<([f64; 2], [f64; 2])> = low.sample().map(|p| (p, high.outline.nearest(p).0)).collect();
+        let pairs = self.pairs_between(first, last);
         let mut astray = Self::spared(first, last);
         let mut worst = 0.0f64;
-        for p in &self.all[first + 1..last] {
-            let bend = (p.beyond(low) - share(p) * high.beyond(low)).abs();
-            let blend = pairs.iter().map(|&(a, b)| along(a, sub(b, a), share(p)));
-            let off = p.outline.mean_off(blend);
-            if bend <= 0.5 * self.tolerance && off <= self.tolerance {
+        for k in first + 1..last {
+            let (off, bend) = self.off_blend(&pairs, first, last, k);
+            if bend.abs() <= 0.5 * self.tolerance && off <= self.tolerance {
                 worst = worst.max(off);
             } else if astray > 0 && off <= JUMP * self.tolerance {
                 astray -= 1;
@@ -76,17 +77,54 @@ impl Kinds<'_> {
         Some(worst)
     }
 
+    /// Points of the lower and of the higher outline that belong together: those of the larger one, in order, with the
+    /// nearest of the smaller. The other way round, points beside a corner would miss the side that has moved.
+    fn pairs_between(&self, first: usize, last: usize) -> Vec<([f64; 2], [f64; 2])> {
+        let (low, high) = (self.all[first], self.all[last]);
+        if low.area >= high.area {
+            low.sample().map(|p| (p, high.outline.nearest(p).0)).collect()
+        } else {
+            high.sample().map(|p| (low.outline.nearest(p).0, p)).collect()
+        }
+    }
+
+    /// How far a contour lies from where two others, blended by height, would put it: the mean distance, and the mean
+    /// with its sign, positive for the outside.
+    fn off_blend(&self, pairs: &[([f64; 2], [f64; 2])], first: usize, last: usize, k: usize) -> (f64, f64) {
+        let (low, high, p) = (self.all[first], self.all[last], self.all[k]);
+        let share = (p.height - low.height) / (high.height - low.height);
+        let blend: Vec<[f64; 2]> = pairs.iter().map(|&(a, b)| along(a, sub(b, a), share)).collect();
+        let turn = low.signed_area.signum();
+        let (mut sum, mut signed) = (0.0, 0.0);
+        for (j, &at) in blend.iter().enumerate() {
+            let (foot, off) = p.outline.nearest(at);
+            // Right of a counter-clockwise contour is outside.
+            let side = -turn * cross(sub(blend[(j + 1) % blend.len()], at), sub(foot, at));
+            sum += off;
+            signed += off * side.signum();
+        }
+        let n = blend.len().max(1) as f64;
+        (sum / n, signed / n)
+    }
+
     /// Whether the walls of the slices lean as the outlines move: where they lean most, and in the middle too unless only
     /// a part of the outline moves.
     fn leans(&self, first: usize, last: usize, all: bool) -> bool {
         let (middle, most) = self.slopes_between(first, last);
         let whole = most - middle.abs() <= self.slopes[1];
+        let steep = |k: usize| self.all[k].steepest_deg;
+        let lean = |k: usize| if whole { self.all[k].draft_deg } else { middle };
         let off = |k: usize| {
-            let p = self.all[k];
-            let steep = (p.steepest_deg - most).abs() / self.slopes[1];
-            let lean = if whole { (p.draft_deg - middle).abs() / self.slopes[0] } else { 0.0 };
-            steep.max(lean)
+            ((steep(k) - most).abs() / self.slopes[1]).max((lean(k) - middle).abs() / self.slopes[0])
         };
+        // A curved wall leans ever more.
+        let half = (first + last) / 2;
+        let bends = |of: &dyn Fn(usize) -> f64| {
+            (self.median(first, half, of) - self.median((half + 1).min(last), last, of)).abs()
+        };
+        if bends(&steep) > BEND * self.slopes[0] || bends(&lean) > BEND * self.slopes[0] {
+            return false;
+        }
         if all { (first..=last).all(|k| off(k) <= 1.5) } else { self.median(first, last, off) <= 1.0 }
     }
 
@@ -94,15 +132,16 @@ impl Kinds<'_> {
     /// of it stay under; degrees.
     fn slopes_between(&self, first: usize, last: usize) -> (f64, f64) {
         let (low, high) = (self.all[first], self.all[last]);
-        let points: Vec<[f64; 2]> = low.sample().collect();
+        let pairs = self.pairs_between(first, last);
+        let points: Vec<[f64; 2]> =
+            pairs.iter().map(|p| if low.area >= high.area { p.0 } else { p.1 }).collect();
         let rise = high.height - low.height;
         let turn = low.signed_area.signum();
         let slope = |k: usize| {
-            let (p, next) = (points[k], points[(k + 1) % points.len()]);
-            let (foot, off) = high.outline.nearest(p);
+            let tangent = unit(sub(points[(k + 1) % points.len()], points[k]));
             // Right of a counter-clockwise contour is outside.
-            let side = -turn * cross(sub(next, p), sub(foot, p));
-            (off / rise).atan().to_degrees() * side.signum()
+            let out = -turn * cross(tangent, sub(pairs[k].1, pairs[k].0));
+            (out / rise).atan().to_degrees()
         };
         let mut slopes: Vec<f64> = (0..points.len()).map(slope).collect();
         let at = |slopes: &mut Vec<f64>, share: f64| {
@@ -128,19 +167,18 @@ impl Kinds<'_> {
     /// Whether the wall leaves the line of a taper at once at an end of it: within two slices, as one may lie at the
     /// very edge. A curved wall leaves it slowly.
     fn leaves(&self, first: usize, last: usize, end: usize, up: bool) -> bool {
-        let (low, high) = (self.all[first], self.all[last]);
-        let slope = high.beyond(low) / (high.height - low.height);
-        let leaves = |&k: &usize| {
-            let p = self.all[k];
-            (p.beyond(low) - slope * (p.height - low.height)).abs() >= JUMP * self.tolerance
-        };
         let outside = self.beyond(end, up);
-        outside.is_empty() || outside.iter().any(leaves) || self.folds(first, last, end, up)
+        if outside.is_empty() {
+            return true;
+        }
+        let pairs = self.pairs_between(first, last);
+        let leaves = |&k: &usize| self.off_blend(&pairs, first, last, k).0 >= JUMP * self.tolerance;
+        outside.iter().any(leaves) || self.folds(first, last, end, up) == Some(true)
     }
 
     /// Whether the wall beyond an end leans otherwise, by far more than it would if it went on bending as it does within
-    /// the run.
-    fn folds(&self, first: usize, last: usize, end: usize, up: bool) -> bool {
+    /// the run; `None` where nothing lies beyond it.
+    fn folds(&self, first: usize, last: usize, end: usize, up: bool) -> Option<bool> {
         let (low, high) = (self.all[first], self.all[last]);
         let lean: [fn(&Profile) -> f64; 2] = [|p| p.draft_deg, |p| p.steepest_deg];
         let middle = 0.5 * (low.height + high.height);
@@ -154,6 +192,6 @@ impl Kinds<'_> {
             })
         };
         let outside = self.beyond(end, up);
-        outside.is_empty() || outside.iter().any(other)
+        (!outside.is_empty()).then(|| outside.iter().any(other))
     }
 }
