@@ -37,14 +37,22 @@ enum By {
     Border,
 }
 
+impl By {
+    /// Whether the surface shows an edge there.
+    fn is_edge(self) -> bool {
+        matches!(self, By::Face | By::Fold | By::Meeting)
+    }
+}
+
 /// Sets `from`, `to`, `range_error` of every run, and what a taper has at its ends, from the points between its slices
-/// and those just outside. The runs of a track come one after another.
+/// and those just outside. The runs of a track come one after another. A taper that ends at no edge is none: any piece of a curved
+/// wall may look like one.
 pub(super) fn refine(
     local: &Localised,
     index: &Index,
     tiles: &Tiles,
     sections: &Sections,
-    runs: &mut [Found],
+    runs: &mut Vec<Found>,
 ) {
     let sizes: Vec<Size> = runs.par_iter().map(Size::new).collect();
     let searches: Vec<Search> =
@@ -81,6 +89,8 @@ pub(super) fn refine(
             continue_radius(&runs[k - 1].run.feature.clone(), &mut runs[k].run.feature);
         }
     }
+    let mut shown = ends.chunks(2).map(|ends| ends.iter().flatten().any(|e| e.by.is_edge()));
+    runs.retain(|r| shown.next().unwrap_or(true) || !matches!(r.run.feature, Feature::Taper { .. }));
 }
 
 /// A wall that folds goes on at the same radius, which an extrusion tells better than a short taper.

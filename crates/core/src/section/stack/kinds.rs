@@ -21,6 +21,8 @@ const JUMP: f64 = 3.0;
 const SLOPE_DEG: [(f64, f64); 2] = [(1.0, 8.0), (3.0, 12.0)];
 /// How far beside a fold, in spacings, slices show a mean of both walls.
 const FOLD: f64 = 1.2;
+/// Noise in spacings above which walls beside a face may seem to lean.
+const NOISY: f64 = 0.15;
 /// Contours in a row that may stray within a run.
 const ASTRAY: usize = 2;
 
@@ -39,6 +41,8 @@ pub(super) struct Kinds<'a> {
     tolerance: f64,
     spacing: f64,
     slopes: [f64; 2],
+    /// Whether the planes of single points say little.
+    noisy: bool,
     pairs: RefCell<BTreeMap<(usize, usize), Apart>>,
 }
 
@@ -46,7 +50,7 @@ impl<'a> Kinds<'a> {
     /// For outlines that agree within `tolerance`, in a cloud of this spacing and this noise in spacings.
     pub(super) fn new(all: &'a [&'a Profile], tolerance: f64, spacing: f64, noise: f64) -> Self {
         let slopes = SLOPE_DEG.map(|(clean, noisy)| clean + noisy * noise);
-        Self { all, tolerance, spacing, slopes, pairs: RefCell::new(BTreeMap::new()) }
+        Self { all, tolerance, spacing, slopes, noisy: noise > NOISY, pairs: RefCell::new(BTreeMap::new()) }
     }
 
     /// The runs of the track, ascending. Extrusions come first, as they are the strictest, then tapers between them, then

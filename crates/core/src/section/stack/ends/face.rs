@@ -20,13 +20,13 @@ pub(super) fn face(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Optio
     for spot in spots.iter().filter(|s| s.flat()) {
         if cluster.last().is_some_and(|last| (spot.height - last.height).abs() > gap) {
             if let Some(found) = settled(&cluster, centre, h, noise) {
-                return Some(found);
+                return Some(found).filter(|e| search.holds(e.height));
             }
             cluster.clear();
         }
         cluster.push(*spot);
     }
-    settled(&cluster, centre, h, noise)
+    settled(&cluster, centre, h, noise).filter(|e| search.holds(e.height))
 }
 
 /// The height of a cluster that is as thin as the noise allows, as a level or as a parabola.

@@ -45,10 +45,9 @@ pub(super) fn fold(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Optio
     let at = |share: f64| found[((found.len() - 1) as f64 * share) as usize].0;
     let ahead = at(0.5);
     let beyond = found.iter().filter(|a| a.1 >= ahead - 0.5 * h).count();
-    let reach = search.ahead(search.outer);
-    let there = (search.ahead(search.start())..=reach).contains(&ahead) && 4 * beyond >= 3 * found.len();
     let error = 1.3 * (at(0.84) - at(0.16)) / (found.len() as f64).sqrt() + 1e-2 * h;
     let height = search.inner + ahead * (search.outer - search.inner).signum();
+    let there = search.holds(height) && 4 * beyond >= 3 * found.len();
     there.then_some(End { height, error, by: By::Fold })
 }
 

@@ -21,6 +21,8 @@ use crate::neighbors::Index;
 pub(super) const BESIDE: f64 = 4.0;
 /// How far behind its slice, in spacings, an end may lie.
 const BEHIND: f64 = 0.7;
+/// How far around an end points show it, in spacings.
+const AROUND: f64 = 2.0;
 /// Most leaves of the index that are looked at for one end.
 const LEAVES: usize = 120;
 
@@ -31,6 +33,8 @@ pub(super) struct Search<'a> {
     pub outer: f64,
     /// How far behind `inner` it may lie.
     behind: f64,
+    /// How far beyond `outer` points are looked at.
+    around: f64,
     /// Whether the walls stand along the axis.
     pub upright: bool,
 }
@@ -41,9 +45,15 @@ impl Search<'_> {
         (height - self.inner) * (self.outer - self.inner).signum()
     }
 
+    /// Heights of the points looked at: what shows an end lies around it.
     fn range(&self) -> (f64, f64) {
-        let start = self.inner - self.behind * (self.outer - self.inner).signum();
-        (start.min(self.outer), start.max(self.outer))
+        let far = self.outer + self.around * (self.outer - self.inner).signum();
+        (self.start().min(far), self.start().max(far))
+    }
+
+    /// Whether an end may lie at a height.
+    pub(super) fn holds(&self, height: f64) -> bool {
+        (self.start().min(self.outer)..=self.start().max(self.outer)).contains(&height)
     }
 
     /// The height that the search starts at.
@@ -70,9 +80,10 @@ pub(super) fn searches<'a>(
     let [below, above] = size.to_apex([below, above], [first, last], sections.spacing);
     let behind = (BEHIND * sections.spacing).min(0.5 * (last - first));
     let upright = matches!(run.feature, Feature::Extrusion { .. });
+    let around = AROUND * sections.spacing;
     [
-        Search { outline: low, inner: first, outer: below, behind, upright },
-        Search { outline: high, inner: last, outer: above, behind, upright },
+        Search { outline: low, inner: first, outer: below, behind, around, upright },
+        Search { outline: high, inner: last, outer: above, behind, around, upright },
     ]
 }
 

@@ -6,8 +6,10 @@ use super::{ASTRAY, FOLD, Feature, JUMP, Kinds, Reached};
 const ROUND: f64 = 0.6;
 
 /// Slices, and height in spacings, over which a like outline shows upright walls.
-const MANY: usize = 5;
+const MANY: usize = 3;
 const LONG: f64 = 4.0;
+/// Slices that show little of how walls stand under noise.
+const FEW: usize = 5;
 
 impl Kinds<'_> {
     /// All extrusions of the track, ascending.
@@ -106,20 +108,27 @@ impl Kinds<'_> {
     fn upright(&self, first: usize, last: usize) -> bool {
         let draft = |k: usize| self.all[k].draft_deg.abs();
         let steepest = |k: usize| self.all[k].steepest_deg;
-        let quarter = (last - first) / 4;
-        let alike = |of: &dyn Fn(usize) -> f64| {
-            let middle = self.median(first + quarter, last - quarter, of);
-            let ends = [(first, first + quarter), (last - quarter, last)].map(|(a, b)| self.median(a, b, of));
-            ends[0].min(ends[1]) - middle <= 0.5 * self.slopes[0]
+        // Beside a face or a fold they lean anyhow.
+        let clear = |k: &usize| {
+            let height = self.all[*k].height;
+            (height - self.all[first].height).min(self.all[last].height - height) >= 2.0 * FOLD * self.spacing
         };
-        let long = last + 1 - first >= MANY
-            && self.all[last].height - self.all[first].height >= LONG * self.spacing
-            && alike(&draft)
-            && alike(&steepest);
+        let inner: Vec<usize> = (first..=last).filter(clear).collect();
+        let long = inner.len() >= MANY && {
+            let (low, high) = (inner[0], inner[inner.len() - 1]);
+            let quarter = (high - low) / 4;
+            let alike = |of: &dyn Fn(usize) -> f64| {
+                let middle = self.median(low + quarter, high - quarter, of);
+                let ends = [(low, low + quarter), (high - quarter, high)].map(|(a, b)| self.median(a, b, of));
+                ends[0].min(ends[1]) - middle <= 0.5 * self.slopes[0]
+            };
+            let tall = self.all[high].height - self.all[low].height >= LONG * self.spacing;
+            tall && alike(&draft) && alike(&steepest)
+        };
         // Beside a face the planes of single points stray, and of few slices most may lie there.
-        let few = last + 1 - first < MANY && self.jumps(first, false) && self.jumps(last, true);
+        let few = self.noisy && last + 1 - first < FEW && self.jumps(first, false) && self.jumps(last, true);
         let (slack, steep_slack) = if long { (2.0, 2.0) } else { (1.0, if few { 1.5 } else { 1.0 }) };
-        let steep = if last == first + 1 {
+        let steep = if few && last == first + 1 {
             steepest(first).min(steepest(last))
         } else {
             self.median(first, last, steepest)
