@@ -23,8 +23,10 @@ pub(super) const BESIDE: f64 = 4.0;
 const BEHIND: f64 = 0.7;
 /// How far around an end points show it, in spacings.
 const AROUND: f64 = 2.0;
-/// Most leaves of the index that are looked at for one end.
-const LEAVES: usize = 120;
+/// Most leaves of the index that are looked at for one end: of upright walls, of others.
+const LEAVES: [usize; 2] = [100, 300];
+/// Sine of the angle to the axis below which a wall counts as upright: 8 degrees.
+const UPRIGHT: f64 = 0.14;
 
 /// An end of a run that is looked for between two heights, the first at the run's own slice.
 pub(super) struct Search<'a> {
@@ -169,9 +171,16 @@ impl<'a> Ground<'a> {
             // A tile reaches about three spacings from its middle.
             search.outline.outline.off_within([x, y], (BESIDE + 3.0) * h).is_some() || inside(search, [x, y])
         };
-        let found: Vec<u32> = (0..self.tiles.tiles.len() as u32).filter(near).collect();
-        let step = found.len().div_ceil(LEAVES).max(1);
-        found.into_iter().step_by(step).collect()
+        let found = (0..self.tiles.tiles.len() as u32).filter(near);
+        // An upright wall is most of what lies there, and tells least.
+        let axis = self.sections.frame.axes[2];
+        let wall = |l: &u32| vec3::dot(self.tiles.tiles[*l as usize].patch.normal, axis).abs() < UPRIGHT;
+        let (walls, others): (Vec<u32>, Vec<u32>) = found.partition(wall);
+        let some = |leaves: Vec<u32>, most: usize| {
+            let step = leaves.len().div_ceil(most).max(1);
+            leaves.into_iter().step_by(step)
+        };
+        some(walls, LEAVES[0]).chain(some(others, LEAVES[1])).collect()
     }
 
     fn spot(&self, search: &Search, i: u32, patch: &surface::Patch) -> Option<Spot> {
