@@ -6,11 +6,11 @@
 
 mod ends;
 mod kinds;
-mod mend;
 mod mirror;
 mod profile;
 mod repeats;
 mod runs;
+mod shown;
 mod track;
 
 use super::result::Sections;
@@ -134,11 +134,10 @@ pub fn stack(cloud: &Cloud, sections: &Sections) -> Result<Stack, Error> {
 pub(crate) fn of(local: &Localised, index: &Index, tiles: &Tiles, sections: &Sections) -> Stack {
     let tolerance = tolerance(sections);
     let order = profile::order(sections);
-    let mut levels = profile::levels(sections, &order, tolerance);
-    mend::sides(&mut levels, tolerance);
+    let levels = profile::levels(sections, &order, tolerance);
     let heights: Vec<f64> = order.iter().map(|&plane| sections.heights[plane]).collect();
-    let tracks =
-        track::tracks(&levels, &heights, |level, profile| mend::shown(sections, order[level], profile));
+    let shown = shown::Shown::new(sections);
+    let tracks = track::tracks(&levels, &heights, tolerance, |k, profile| shown.holds(order[k], profile));
     // The runs of a track stay together until their ends are known.
     let mut found: Vec<Found> =
         tracks.par_iter().flat_map_iter(|t| runs::runs(t, sections, tolerance)).collect();

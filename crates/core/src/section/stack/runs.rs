@@ -26,6 +26,8 @@ impl<'a> Found<'a> {
     }
 }
 
+/// One contour in so many that lies within another makes a run a hole: around the rest that other one is not closed.
+const HOLE: usize = 5;
 /// Most contours between two runs that meet: slices at the very edge may belong to neither.
 const BETWEEN: usize = 2;
 
@@ -69,7 +71,7 @@ fn run(own: &[&Profile], beside: [Option<f64>; 2], reached: &Reached, sections: 
     let range_error = ends.map(|(own, next)| next.map_or(f64::INFINITY, |n| 0.5 * (n - own).abs()));
     Run {
         feature: reached.feature,
-        hole: first.hole,
+        hole: HOLE * own.iter().filter(|p| p.hole).count() >= own.len(),
         from,
         to,
         range_error,

@@ -23,17 +23,19 @@ struct Open<'a> {
     track: Track<'a>,
 }
 
-/// Follows contours from slice to slice: solid to solid and hole to hole, nearest first by centroid and size. A slice that
+/// Follows contours from slice to slice: solid to solid and hole to hole, nearest first by centroid and size; the same
+/// outline counts as one even so. A slice that
 /// does not show a contour closed is passed over where `shown` says that it lies there nevertheless.
 pub(super) fn tracks<'a>(
     levels: &'a [Vec<Profile>],
     heights: &[f64],
+    tolerance: f64,
     shown: impl Fn(usize, &Profile) -> bool,
 ) -> Vec<Track<'a>> {
     let mut open: Vec<Open> = Vec::new();
     let mut done = Vec::new();
     for (k, level) in levels.iter().enumerate() {
-        let pairs = matched(&open, level);
+        let pairs = matched(&open, level, tolerance);
         let mut next = Vec::new();
         let mut taken = vec![false; level.len()];
         for (i, mut one) in open.into_iter().enumerate() {
@@ -42,16 +44,16 @@ pub(super) fn tracks<'a>(
             if let Some(j) = found {
                 taken[j] = true;
                 one.track.profiles.push(&level[j]);
-                next.push(Open { last: j, missed: 0, track: Track { above: None, ..one.track } });
+                next.push(Open { last: j, missed: 0, ..one });
             } else if passes() {
-                let above = one.track.above.or(Some(heights[k]));
-                next.push(Open { missed: one.missed + 1, track: Track { above, ..one.track }, ..one });
+                next.push(Open { missed: one.missed + 1, ..one });
             } else {
-                done.push(Track { above: one.track.above.or(Some(heights[k])), ..one.track });
+                done.push(Track { above: Some(heights[k]), ..one.track });
             }
         }
-        let below = k.checked_sub(1).map(|k| heights[k]);
         for (j, profile) in level.iter().enumerate().filter(|(j, _)| !taken[*j]) {
+            let lowest = (k.saturating_sub(MISSED)..k).rev().take_while(|&l| shown(l, profile)).last();
+            let below = lowest.unwrap_or(k).checked_sub(1).map(|k| heights[k]);
             let track = Track { profiles: vec![profile], below, above: None };
             next.push(Open { last: j, missed: 0, track });
         }
@@ -59,21 +61,42 @@ pub(super) fn tracks<'a>(
         open = next;
     }
     done.extend(open.into_iter().map(|o| o.track));
-    done
+    done.into_iter().flat_map(sides).collect()
+}
+
+/// Fewest slices of each kind where solid turns into a hole for good.
+const SIDE: usize = 3;
+
+/// A track in two where a hole goes on as a solid of the same outline, or the other way round.
+fn sides(track: Track) -> Vec<Track> {
+    let all = &track.profiles;
+    let turns = |k: &usize| all[*k].hole != all[k - 1].hole;
+    let mut turn = (1..all.len()).filter(turns);
+    match (turn.next(), turn.next()) {
+        (Some(k), None) if k >= SIDE && all.len() - k >= SIDE => {
+            let (low, high) = all.split_at(k);
+            let (above, below) = (Some(high[0].height), Some(low[k - 1].height));
+            let low = Track { profiles: low.to_vec(), below: track.below, above };
+            vec![low, Track { profiles: high.to_vec(), below, above: track.above }]
+        }
+        _ => vec![track],
+    }
 }
 
 /// Most slices in a row that a track passes over.
-const MISSED: usize = 2;
+const MISSED: usize = 6;
 
 /// Pairs of (open track, contour), each at most once.
-fn matched(open: &[Open], level: &[Profile]) -> Vec<(usize, usize)> {
+fn matched(open: &[Open], level: &[Profile], tolerance: f64) -> Vec<(usize, usize)> {
     let mut costs = Vec::new();
     for (i, one) in open.iter().enumerate() {
         let Some(last) = one.track.profiles.last() else { continue };
-        for (j, profile) in level.iter().enumerate().filter(|(_, p)| p.hole == last.hole) {
+        for (j, profile) in level.iter().enumerate() {
             let (a, b) = (last.area.sqrt(), profile.area.sqrt());
             let cost = distance(last.centroid, profile.centroid) + (a - b).abs();
-            if cost <= 0.5 * a.max(b) {
+            // Where the outline around a hole is not closed, the hole looks solid.
+            let one = || cost <= 8.0 * tolerance && last.apart(profile, [0.0; 2]).mean <= 2.0 * tolerance;
+            if cost <= 0.5 * a.max(b) && (profile.hole == last.hole || one()) {
                 costs.push((cost, i, j));
             }
         }

@@ -8,7 +8,7 @@ const ROUND: f64 = 0.6;
 /// Slices, and height in spacings, over which a like outline shows upright walls.
 const MANY: usize = 3;
 const LONG: f64 = 4.0;
-/// Slices that show little of how walls stand under noise.
+/// Fewer slices show little of how walls stand.
 const FEW: usize = 5;
 
 impl Kinds<'_> {
