@@ -10,7 +10,8 @@ use super::profile::Profile;
 /// Share of an outline that a slice must show for it to be there.
 const SHOWN: f64 = 0.6;
 
-/// The contours of sections, open ones included, as they are asked for.
+/// The open contours of sections, as they are asked for. Closed ones tell of other outlines: a block that a slot parts in two
+/// shows most of its own in those of its halves.
 pub(super) struct Shown<'a> {
     sections: &'a Sections,
     lines: RefCell<BTreeMap<usize, Vec<Polyline>>>,
@@ -21,7 +22,7 @@ impl<'a> Shown<'a> {
         Self { sections, lines: RefCell::default() }
     }
 
-    /// Whether most of an outline lies on contours of a plane.
+    /// Whether most of an outline lies on open contours of a plane.
     pub(super) fn holds(&self, plane: usize, profile: &Profile) -> bool {
         let reach = (0.5 + 2.0 * self.sections.noise) * self.sections.spacing;
         let mut known = self.lines.borrow_mut();
@@ -39,8 +40,8 @@ impl<'a> Shown<'a> {
         };
         let line = |c: &Contour| {
             let points: Vec<[f64; 2]> = c.points.iter().map(flat).collect();
-            Polyline::new(&points, c.closed, self.sections.spacing)
+            Polyline::new(&points, false, self.sections.spacing)
         };
-        self.sections.sections[plane].contours.iter().map(line).collect()
+        self.sections.sections[plane].contours.iter().filter(|c| !c.closed).map(line).collect()
     }
 }
