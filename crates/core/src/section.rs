@@ -51,6 +51,7 @@ pub use slice::SliceFrame;
 pub use stack::{Feature, Mirror, Repeat, Run, Stack, stack};
 
 use slicer::{FEWEST, Slicer};
+use tile::Tiles;
 
 /// Slices a cloud: one [`Section`] for each plane, in the order the planes were given or run along the axis.
 ///
@@ -59,7 +60,7 @@ use slicer::{FEWEST, Slicer};
 pub fn section(cloud: &Cloud, params: &SectionParams) -> Result<Sections, Error> {
     params.check()?;
     let local = Frame::localise(cloud)?;
-    sections(&local, &Index::build(&local.positions), params, &|_| ())
+    Ok(sections(&local, &Index::build(&local.positions), params, &|_| ())?.0)
 }
 
 /// [`section`] and, with [`SectionParams::fit`], what [`stack`] says of the sections; else an empty stack. The share of
@@ -75,8 +76,8 @@ pub fn section_observed(
     params.check()?;
     let local = Frame::localise(cloud)?;
     let index = Index::build(&local.positions);
-    let sections = sections(&local, &index, params, observe)?;
-    let stack = if params.fit { stack::of(&local, &index, &sections) } else { Stack::default() };
+    let (sections, tiles) = sections(&local, &index, params, observe)?;
+    let stack = if params.fit { stack::of(&local, &index, &tiles, &sections) } else { Stack::default() };
     Ok((sections, stack))
 }
 
@@ -85,7 +86,7 @@ fn sections(
     index: &Index,
     params: &SectionParams,
     observe: &(dyn Fn(f64) + Sync),
-) -> Result<Sections, Error> {
+) -> Result<(Sections, Tiles), Error> {
     let slicer = Slicer::new(local, index, params, observe);
     let mut cuts = slicer.cuts()?;
     if let Planes::Adaptive { start, most } = params.planes {
@@ -94,5 +95,5 @@ fn sections(
     let heights: Vec<f64> = cuts.iter().map(|cut| cut.0).collect();
     let mut found = slicer.cut(&heights);
     found.iter_mut().zip(&cuts).for_each(|(section, cut)| section.slab = cut.1);
-    Ok(slicer.finish(found, heights))
+    Ok((slicer.finish(found, heights), slicer.into_tiles()))
 }

@@ -42,6 +42,11 @@ impl Polyline {
         Some(self.among(p, reach).1).filter(|off| off.is_finite())
     }
 
+    /// The nearest point and its distance, for a point that has a vertex within `reach`.
+    pub(crate) fn nearest_within(&self, p: [f64; 2], reach: f64) -> Option<([f64; 2], f64)> {
+        Some(self.among(p, reach)).filter(|near| near.1.is_finite())
+    }
+
     fn among(&self, p: [f64; 2], reach: f64) -> ([f64; 2], f64) {
         let n = self.points.len();
         let mut best = (p, f64::INFINITY);

@@ -171,6 +171,11 @@ impl<'a> Slicer<'a> {
         Carrier::new(patch, reach)
     }
 
+    /// The tiles, for what comes after the slices.
+    pub(super) fn into_tiles(self) -> Tiles {
+        self.tiles
+    }
+
     /// Brings sections from the slice frame to the world.
     pub(super) fn finish(&self, mut sections: Vec<Section>, heights: Vec<f64>) -> Sections {
         let world = |height: f64| {

@@ -10,9 +10,11 @@ mod mirror;
 mod profile;
 mod repeats;
 mod runs;
+mod shown;
 mod track;
 
 use super::result::Sections;
+use super::tile::Tiles;
 use crate::cloud::Cloud;
 use crate::error::Error;
 use crate::frame::{Frame, Localised};
@@ -124,17 +126,22 @@ fn tolerance(sections: &Sections) -> f64 {
 pub fn stack(cloud: &Cloud, sections: &Sections) -> Result<Stack, Error> {
     let local = Frame::localise(cloud)?;
     let index = Index::build(&local.positions);
-    Ok(of(&local, &index, sections))
+    let tiles = Tiles::new(&index, sections.noise, sections.frame.axes[2]);
+    Ok(of(&local, &index, &tiles, sections))
 }
 
-/// [`stack`] of a cloud that is localised and indexed.
-pub(crate) fn of(local: &Localised, index: &Index, sections: &Sections) -> Stack {
+/// [`stack`] of a cloud that is localised, indexed and tiled.
+pub(crate) fn of(local: &Localised, index: &Index, tiles: &Tiles, sections: &Sections) -> Stack {
     let tolerance = tolerance(sections);
-    let levels = profile::levels(sections, tolerance);
-    let tracks = track::tracks(&levels);
+    let order = profile::order(sections);
+    let levels = profile::levels(sections, &order, tolerance);
+    let heights: Vec<f64> = order.iter().map(|&plane| sections.heights[plane]).collect();
+    let shown = shown::Shown::new(sections);
+    let tracks = track::tracks(&levels, &heights, tolerance, |k, profile| shown.holds(order[k], profile));
+    // The runs of a track stay together until their ends are known.
     let mut found: Vec<Found> =
         tracks.par_iter().flat_map_iter(|t| runs::runs(t, sections, tolerance)).collect();
-    ends::refine(local, index, sections, &mut found);
+    ends::refine(local, index, tiles, sections, &mut found);
     found.sort_by(|a, b| a.run.from.total_cmp(&b.run.from).then_with(|| a.run.contours.cmp(&b.run.contours)));
     let repeats = repeats::repeats(&found, tolerance);
     Stack {

@@ -59,3 +59,10 @@ pub fn star_prism(points: u32) -> Shape {
     let outline: Vec<[f64; 2]> = (0..2 * points).map(corner).collect();
     prism("star prism", &outline, 2.0, |p| p)
 }
+
+/// A prism along z over a regular polygon of this many sides (3 at least) about the origin, corners at radius 1.
+pub fn regular_prism(sides: u32, height: f64) -> Shape {
+    let sides = sides.max(3);
+    let outline: Vec<[f64; 2]> = (0..sides).map(|i| sin_cos(f64::from(i) / f64::from(sides))).collect();
+    prism("regular prism", &outline, height, |p| p)
+}

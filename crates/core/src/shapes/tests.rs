@@ -24,6 +24,14 @@ fn all() -> Vec<Shape> {
         stepped_shaft(),
         sphere(1.0),
         torus(1.0, 0.4),
+        dome(1.0),
+        keyed_shaft(),
+        regular_prism(6, 2.0),
+        pocketed_block(),
+        punched_plate(),
+        countersunk_plate(),
+        crossed_bores(),
+        flange(),
     ]
 }
 

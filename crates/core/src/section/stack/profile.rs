@@ -1,5 +1,7 @@
 //! Closed contours in the coordinates of the slices, measured for comparison.
 
+use rayon::prelude::*;
+
 use super::super::nest;
 use super::super::polyline::Polyline;
 use super::super::primitive::Round;
@@ -48,15 +50,20 @@ pub(super) struct Apart {
 /// Neighbouring points of a comparison that make a stretch: one alone may be a rounded corner.
 const STRETCH: usize = 4;
 
-/// The closed contours of each plane, planes ascending by height.
-pub(super) fn levels(sections: &Sections, tolerance: f64) -> Vec<Vec<Profile>> {
+/// The planes ascending by height.
+pub(super) fn order(sections: &Sections) -> Vec<usize> {
     let mut order: Vec<usize> = (0..sections.sections.len()).collect();
     order.sort_by(|&a, &b| sections.heights[a].total_cmp(&sections.heights[b]).then(a.cmp(&b)));
-    let level = |plane: usize| {
+    order
+}
+
+/// The closed contours of each plane.
+pub(super) fn levels(sections: &Sections, order: &[usize], tolerance: f64) -> Vec<Vec<Profile>> {
+    let level = |&plane: &usize| {
         let contours = sections.sections[plane].contours.iter().enumerate();
         contours.filter(|(_, c)| c.closed).map(|(i, _)| profile(sections, plane, i, tolerance)).collect()
     };
-    order.into_iter().map(level).collect()
+    order.par_iter().map(level).collect()
 }
 
 fn profile(sections: &Sections, plane: usize, index: usize, tolerance: f64) -> Profile {
@@ -86,10 +93,10 @@ fn round(points: &[[f64; 2]], tolerance: f64) -> Option<Round> {
     let round = Round::fit(points)?;
     let offs: Vec<f64> = points.iter().map(|&p| round.off(p)).collect();
     let mean = offs.iter().sum::<f64>() / offs.len() as f64;
-    let worst = offs.iter().copied().fold(0.0, f64::max);
+    let off = apart(offs.iter().chain(offs.iter().take(STRETCH)).copied());
     // Eight points are the least for which round and square differ.
     let enough = points.len() >= 8 && round.radius > 4.0 * mean;
-    (enough && mean <= tolerance && worst <= 4.0 * tolerance).then_some(round)
+    (enough && mean <= tolerance && off.stretch <= 4.0 * tolerance).then_some(round)
 }
 
 impl Profile {

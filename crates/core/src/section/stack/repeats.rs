@@ -29,10 +29,10 @@ pub(super) fn repeats(runs: &[Found], tolerance: f64) -> Vec<Repeat> {
 fn same(a: &Found, b: &Found, tolerance: f64) -> Option<f64> {
     let extruded = |r: &Run| matches!(r.feature, Feature::Extrusion { .. });
     let alike = a.run.hole == b.run.hole && extruded(&a.run) && extruded(&b.run);
-    let size = (a.profiles[1].area.sqrt() - b.profiles[1].area.sqrt()).abs();
+    let size = (a.middle().area.sqrt() - b.middle().area.sqrt()).abs();
     if !alike || size > 4.0 * tolerance {
         return None;
     }
-    let off = a.profiles[1].apart(b.profiles[1], a.profiles[1].onto(b.profiles[1]));
+    let off = a.middle().apart(b.middle(), a.middle().onto(b.middle()));
     off.same(tolerance).then_some(off.mean)
 }

@@ -1,79 +1,68 @@
 //! Tracks cut into runs.
 
 use super::super::result::Sections;
+use super::Run;
 use super::kinds::{Kinds, Reached};
 use super::profile::Profile;
 use super::track::Track;
-use super::{Feature, Run};
 
-/// A run with its lowest, middle and highest contour.
+/// A run with its contours, ascending.
 pub(super) struct Found<'a> {
     pub run: Run,
-    pub profiles: [&'a Profile; 3],
-    /// Heights at which the wall of an extrusion folds into a slanted one, below and above.
-    pub folds: [Option<f64>; 2],
+    pub profiles: Vec<&'a Profile>,
+    /// Whether the next run of the track begins where this one ends.
+    pub joins_next: bool,
 }
 
-/// The runs of a track. Extrusions come first, as they are the strictest: where the outline stays and then jumps. What
-/// lies between them is the taper or revolution that reaches farthest; a run of one slice is none.
+impl<'a> Found<'a> {
+    /// The middle contour.
+    pub(super) fn middle(&self) -> &'a Profile {
+        self.profiles[self.profiles.len() / 2]
+    }
+
+    /// The highest contour.
+    pub(super) fn last(&self) -> &'a Profile {
+        self.profiles[self.profiles.len() - 1]
+    }
+}
+
+/// One contour in so many that lies within another makes a run a hole: around the rest that other one is not closed.
+const HOLE: usize = 5;
+/// Most contours between two runs that meet: slices at the very edge may belong to neither.
+const BETWEEN: usize = 2;
+
+/// The runs of a track, ascending.
 pub(super) fn runs<'a>(track: &Track<'a>, sections: &Sections, tolerance: f64) -> Vec<Found<'a>> {
     let all = &track.profiles;
-    let kinds = Kinds::new(all, tolerance, sections.noise);
-    let mut found = Vec::new();
-    let mut next = Next::default();
-    let mut first = 0;
-    while first + 1 < all.len() {
-        let (start, extrusion) = next.extrusion(&kinds, first, all.len());
-        let best = if start == first { extrusion } else { farthest(&kinds, first, start) };
-        let Some((last, feature, residual)) = best else {
-            first += 1;
-            continue;
+    let kinds = Kinds::new(all, tolerance, sections.spacing, sections.noise);
+    let reached = kinds.runs();
+    let meets = |a: &Reached, b: &Reached| b.first - a.last <= BETWEEN + 1;
+    let found = |(i, r): (usize, &Reached)| {
+        let before = i.checked_sub(1).map(|i| &reached[i]).filter(|b| meets(b, r));
+        let after = reached.get(i + 1).filter(|a| meets(r, a));
+        // A run ends before the next begins, or before the first contour that clearly shows another outline.
+        let other = |k: &usize| !kinds.nearly(if *k < r.first { r.first } else { r.last }, *k);
+        let third = |k: usize| (k < all.len()).then_some(k);
+        let below = match before {
+            Some(b) => Some(b.last),
+            None => (0..r.first).rev().take(BETWEEN).find(other).or(r.first.checked_sub(BETWEEN + 1)),
         };
-        let own = &all[first..=last];
-        let below = if first == 0 { track.below } else { Some(all[first - 1].height) };
-        let above = if last + 1 == all.len() { track.above } else { Some(all[last + 1].height) };
-        let run = run(own, [below, above], feature, residual, sections);
-        let folds = match feature {
-            Feature::Extrusion { .. } => [
-                kinds.fold(first, [first.checked_sub(1), first.checked_sub(2)]),
-                kinds.fold(last, [Some(last + 1), Some(last + 2)]),
-            ],
-            _ => [None; 2],
+        let above = match after {
+            Some(a) => Some(a.first),
+            None => {
+                let near = (r.last + 1..all.len()).take(BETWEEN).find(other);
+                near.or(third(r.last + BETWEEN + 1))
+            }
         };
-        found.push(Found { run, profiles: [own[0], own[own.len() / 2], own[own.len() - 1]], folds });
-        first = last + 1;
-    }
-    found
+        let height = |k: usize| all[k].height;
+        let beside = [below.map(height).or(track.below), above.map(height).or(track.above)];
+        let own = all[r.first..=r.last].to_vec();
+        Found { run: run(&own, beside, r, sections), profiles: own, joins_next: after.is_some() }
+    };
+    reached.iter().enumerate().map(found).collect()
 }
 
-/// The taper or revolution that reaches farthest; the taper says more of the two.
-fn farthest(kinds: &Kinds, first: usize, end: usize) -> Option<Reached> {
-    let both = [kinds.taper(first, end), kinds.revolution(first, end)];
-    both.into_iter().flatten().reduce(|a, b| if b.0 > a.0 { b } else { a })
-}
-
-/// The next extrusion ahead, kept until it is passed.
-#[derive(Default)]
-struct Next(Option<(usize, Option<Reached>)>);
-
-impl Next {
-    /// Where the next extrusion at or after `first` begins, with it; `end` if there is none.
-    fn extrusion(&mut self, kinds: &Kinds, first: usize, end: usize) -> (usize, Option<Reached>) {
-        if let Some(known) = self.0.filter(|known| known.0 >= first) {
-            return known;
-        }
-        let start = (first..end).find_map(|k| kinds.extrusion(k).map(|e| (k, Some(e))));
-        *self.0.insert(start.unwrap_or((end, None)))
-    }
-}
-
-fn run(
-    own: &[&Profile],
-    beside: [Option<f64>; 2],
-    feature: Feature,
-    residual: f64,
-    sections: &Sections,
-) -> Run {
+fn run(own: &[&Profile], beside: [Option<f64>; 2], reached: &Reached, sections: &Sections) -> Run {
     let (first, last) = (own[0], own[own.len() - 1]);
     let middle = own[own.len() / 2];
     let [x, y] = middle.round.map_or(middle.centroid, |r| r.centre);
@@ -81,12 +70,12 @@ fn run(
     let [from, to] = ends.map(|(own, next)| next.map_or(own, |n| 0.5 * (own + n)));
     let range_error = ends.map(|(own, next)| next.map_or(f64::INFINITY, |n| 0.5 * (n - own).abs()));
     Run {
-        feature,
-        hole: first.hole,
+        feature: reached.feature,
+        hole: HOLE * own.iter().filter(|p| p.hole).count() >= own.len(),
         from,
         to,
         range_error,
-        residual,
+        residual: reached.residual,
         centre: sections.frame.vector([x, y, middle.height]),
         contours: own.iter().map(|p| p.id).collect(),
     }

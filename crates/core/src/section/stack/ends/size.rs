@@ -1,0 +1,154 @@
+//! How the area of a run's outline goes with height: not at all for an extrusion; as a square for a taper, since each part
+//! of its outline moves evenly.
+
+use super::super::Feature;
+use super::super::runs::Found;
+
+/// How far from the last contour an apex is looked for, in spacings.
+const NEAR: f64 = 12.0;
+
+/// Area, and radius if round, as polynomials of the height over the middle.
+#[derive(Clone, Debug)]
+pub(super) struct Size {
+    middle: f64,
+    /// Constant, linear, squared; `None` where the outline moves in no even way.
+    area: Option<[f64; 3]>,
+    radius: Option<[f64; 2]>,
+    /// Whether the outline grows with height.
+    grows: bool,
+}
+
+impl Size {
+    pub(super) fn new(found: &Found) -> Self {
+        let own = &found.profiles;
+        let middle = 0.5 * (own[0].height + own[own.len() - 1].height);
+        let areas: Vec<[f64; 2]> = own.iter().map(|p| [p.height - middle, p.area]).collect();
+        let mut size =
+            Self { middle, area: None, radius: None, grows: own[own.len() - 1].area > own[0].area };
+        match found.run.feature {
+            Feature::Extrusion { .. } => {
+                size.area = Some([areas.iter().map(|a| a[1]).sum::<f64>() / areas.len() as f64, 0.0, 0.0]);
+            }
+            Feature::Taper { .. } => {
+                let rounds: Vec<[f64; 2]> =
+                    own.iter().filter_map(|p| Some([p.height - middle, p.round?.radius])).collect();
+                size.radius = (4 * rounds.len() >= 3 * own.len()).then(|| line(&rounds));
+                size.area = Some(match size.radius {
+                    Some([a, b]) => [a * a, 2.0 * a * b, b * b].map(|x| std::f64::consts::PI * x),
+                    None if own.len() < 4 => few(&areas, own[0].steepest_deg - own[0].draft_deg.abs()),
+                    None => parabola(&areas),
+                });
+            }
+            Feature::Revolution { .. } => {}
+        }
+        size
+    }
+
+    /// The radius at a height, if round.
+    pub(super) fn radius(&self, height: f64) -> Option<f64> {
+        self.radius.map(|[a, b]| a + b * (height - self.middle))
+    }
+
+    /// Where the outline would shrink to nothing.
+    pub(super) fn apex(&self) -> f64 {
+        if let Some([a, b]) = self.radius {
+            return self.middle - a / b;
+        }
+        let Some([a, b, c]) = self.area else { return f64::NAN };
+        // Of two roots on one side the nearer; a pair of complex ones is a double root but for the noise.
+        let side = if self.grows { -1.0 } else { 1.0 };
+        let roots = roots([a, b, c]).into_iter().filter(|r| r * side > 0.0);
+        self.middle + roots.min_by(|p, q| p.abs().total_cmp(&q.abs())).unwrap_or(-b / (2.0 * c))
+    }
+
+    /// The ends of searches from the outermost contours, farther where the outline shrinks to nothing not far beyond: the
+    /// last slices before an apex show no contour.
+    pub(super) fn to_apex(&self, outer: [f64; 2], own: [f64; 2], h: f64) -> [f64; 2] {
+        let apex = self.apex();
+        let [below, above] = outer;
+        if apex > own[1] && apex - own[1] <= NEAR * h {
+            return [below, above.max(apex + 2.0 * h)];
+        }
+        if apex < own[0] && own[0] - apex <= NEAR * h {
+            return [below.min(apex - 2.0 * h), above];
+        }
+        outer
+    }
+
+    /// The height, about between two slices, at which this outline and the next are of one size.
+    pub(super) fn meets(&self, next: &Self, between: [f64; 2], h: f64) -> Option<f64> {
+        let (own, other) = (self.area?, next.area?);
+        let shift = self.middle - next.middle;
+        let [a, b, c] = other;
+        // The next one's polynomial about this one's middle.
+        let moved = [a + b * shift + c * shift * shift, b + 2.0 * c * shift, c];
+        let difference = [0, 1, 2].map(|k| own[k] - moved[k]);
+        let middle = 0.5 * (between[0] + between[1]) - self.middle;
+        let reach = 0.5 * (between[1] - between[0]) + h;
+        let near = roots(difference).into_iter().filter(|r| (r - middle).abs() <= reach);
+        near.min_by(|p, q| (p - middle).abs().total_cmp(&(q - middle).abs())).map(|r| self.middle + r)
+    }
+}
+
+/// The square through the areas of a few slices: of an outline that shrinks all round, or by a part only, as walls tell
+/// by how many degrees they lean apart.
+fn few(areas: &[[f64; 2]], unlike_deg: f64) -> [f64; 3] {
+    if unlike_deg > PARTLY_DEG {
+        let [a, b] = line(areas);
+        return [a, b, 0.0];
+    }
+    let [a, b] = line(&areas.iter().map(|a| [a[0], a[1].sqrt()]).collect::<Vec<_>>());
+    [a * a, 2.0 * a * b, b * b]
+}
+
+/// Degrees between the middle of a wall and its most slanted part from which on only a part of it moves.
+const PARTLY_DEG: f64 = 10.0;
+
+/// Real roots of `a + b x + c x^2`.
+fn roots([a, b, c]: [f64; 3]) -> Vec<f64> {
+    let discriminant = b * b - 4.0 * a * c;
+    if discriminant < 0.0 {
+        return Vec::new();
+    }
+    let q = -0.5 * (b + b.signum() * discriminant.sqrt());
+    [a / q, q / c].into_iter().filter(|r| r.is_finite()).collect()
+}
+
+/// The line of least squares through (x, y): constant and slope.
+fn line(points: &[[f64; 2]]) -> [f64; 2] {
+    let n = points.len() as f64;
+    let [x, y] = [0, 1].map(|k| points.iter().map(|p| p[k]).sum::<f64>() / n);
+    let (mut xx, mut xy) = (0.0, 0.0);
+    for p in points {
+        xx += (p[0] - x) * (p[0] - x);
+        xy += (p[0] - x) * (p[1] - y);
+    }
+    let slope = if xx > 0.0 { xy / xx } else { 0.0 };
+    [y - slope * x, slope]
+}
+
+/// The parabola of least squares through (x, y): constant, slope, square.
+fn parabola(points: &[[f64; 2]]) -> [f64; 3] {
+    let rows = points.iter().map(|&[x, y]| ([1.0, x, x * x], y));
+    super::face::least_squares(rows).unwrap_or_else(|| {
+        let [a, b] = line(points);
+        [a, b, 0.0]
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{line, parabola, roots};
+
+    #[test]
+    fn polynomials_are_fitted_and_solved() {
+        let points: Vec<[f64; 2]> = (-4..5).map(f64::from).map(|x| [x, 3.0 - 4.0 * x + x * x]).collect();
+        let fitted = parabola(&points);
+        assert!(fitted.iter().zip([3.0, -4.0, 1.0]).all(|(a, b)| (a - b).abs() < 1e-9), "{fitted:?}");
+        let mut found = roots([3.0, -4.0, 1.0]);
+        found.sort_by(f64::total_cmp);
+        assert_eq!(found, [1.0, 3.0]);
+        assert_eq!(roots([4.0, -2.0, 0.0]), [2.0]);
+        assert_eq!(line(&[[0.0, 1.0], [2.0, 5.0]]), [1.0, 2.0]);
+    }
+}
