@@ -24,7 +24,7 @@ How a slice is drawn:
 With --fit:
   Each curve is described by lines, arcs, circles and splines within --tolerance, and the stack of slices is read:
   extrusions, holes, tapers, revolutions, mirror planes and repeated outlines, each with its range and error. A run
-  needs two slices or more (tapers and revolutions four): cut several through the thinnest feature that matters.
+  needs two slices or more (revolutions four): cut several through the thinnest feature that matters.
 
 Examples:
   lineament section part.ply -o part.dxf --axis z --count 20        20 slices through the whole part
