@@ -7,6 +7,7 @@ mod header;
 mod laz;
 pub(crate) mod points;
 mod records;
+mod watched;
 
 use super::rows::{Grid, Table, room};
 use super::{Decoded, ReadOptions};

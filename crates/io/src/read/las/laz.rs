@@ -5,6 +5,7 @@ use super::chunks::{Chunk, at, chunks};
 use super::copc;
 use super::header::{Fields, Header, LasFrame, Record};
 use super::records;
+use super::watched::Watched;
 use crate::error::{Error, Place};
 use crate::quiet;
 use crate::read::rows::{Field, Part, Table};
@@ -13,7 +14,7 @@ use crate::source::{Input, Shared, Source};
 use laz::record::{LayeredPointRecordDecompressor, RecordDecompressor, SequentialPointRecordDecompressor};
 use laz::{DecompressionSelection, LazItem, LazItemType, LazVlr};
 use rayon::prelude::*;
-use std::io::{Cursor, Seek, SeekFrom};
+use std::io::{Seek, SeekFrom};
 
 /// Unpacked bytes that are held at a time of a chunk: they go to the table while they are in the cache.
 const STEP: usize = 1 << 17;
@@ -215,7 +216,7 @@ fn layers_fit(bytes: &[u8], packing: &Packing) -> bool {
     total <= (sizes.len() - 4 * packing.layers) as u64
 }
 
-type Unpacker<'a> = Box<dyn RecordDecompressor<Cursor<Vec<u8>>> + 'a>;
+type Unpacker<'a> = Box<dyn RecordDecompressor<Watched> + 'a>;
 
 /// A decoder of one chunk.
 fn unpacker<'a>(bytes: Vec<u8>, packing: &Packing) -> Result<Unpacker<'a>, String> {
@@ -223,9 +224,9 @@ fn unpacker<'a>(bytes: Vec<u8>, packing: &Packing) -> Result<Unpacker<'a>, Strin
         return Err("its layers are longer than it is".into());
     }
     let mut unpacker: Unpacker = if packing.layered {
-        Box::new(LayeredPointRecordDecompressor::new(Cursor::new(bytes)))
+        Box::new(LayeredPointRecordDecompressor::new(Watched::new(bytes)))
     } else {
-        Box::new(SequentialPointRecordDecompressor::new(Cursor::new(bytes)))
+        Box::new(SequentialPointRecordDecompressor::new(Watched::new(bytes)))
     };
     unpacker.set_fields_from(&packing.items).map_err(|error| error.to_string())?;
     unpacker.set_selection(packing.selection);
