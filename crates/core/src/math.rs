@@ -2,6 +2,7 @@
 
 pub mod eigen3;
 pub mod least_axis;
+pub mod least_squares;
 pub mod otsu;
 pub mod skyline;
 pub mod union_find;

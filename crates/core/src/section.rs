@@ -7,6 +7,8 @@
 //! outline, so that several, nested and open ones need no special case.
 
 mod adaptive;
+mod ascending;
+mod assign;
 mod band;
 mod carry;
 mod chain;

@@ -38,7 +38,7 @@ fn every_point_format_reads_packed_and_unpacked() {
 }
 
 #[test]
-fn a_large_chunk_goes_alone_and_gives_the_same() {
+fn a_large_chunk_is_unpacked_in_steps_and_gives_the_same() {
     let plain = from_bytes(&file(1, 300_000, None), "a.las", &ReadOptions::default()).unwrap();
     let options = ReadOptions { memory: Some(1 << 30), ..ReadOptions::default() };
     let packed = from_bytes(&file(1, 300_000, Some(300_000)), "a.laz", &options).unwrap();

@@ -20,6 +20,18 @@ pub(crate) struct Vertex {
 /// No node.
 pub(crate) const NO_NODE: u32 = u32::MAX;
 
+impl Vertex {
+    /// A vertex of a smooth line.
+    pub(crate) fn new(at: [f64; 2], spacing: f64) -> Self {
+        Self { at, spacing, corner: false, weak: false, node: NO_NODE }
+    }
+
+    /// A corner.
+    pub(crate) fn corner(at: [f64; 2], spacing: f64) -> Self {
+        Self { corner: true, ..Self::new(at, spacing) }
+    }
+}
+
 /// An ordered run of vertices.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Chain {

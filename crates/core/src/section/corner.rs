@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::band::{Band, segment, segments};
-use super::chain::{NO_NODE, Vertex};
+use super::chain::Vertex;
 use super::smooth::{Local, regress, spacing_at, width};
 use super::vec2::{along, distance, dot, meet, onto, sub, unit};
 
@@ -173,5 +173,5 @@ fn corner_vertex(band: &Band, arc: f64, noise: f64, room: (f64, f64)) -> Option<
     let reach = (0.7 + noise) * h;
     let mut held = false;
     band.visit(arc - 2.0 * h, arc + 2.0 * h, |_, s| held |= distance(s.raw, at) <= reach);
-    (close && held).then_some(Vertex { at, spacing: h, corner: true, weak: false, node: NO_NODE })
+    (close && held).then_some(Vertex::corner(at, h))
 }

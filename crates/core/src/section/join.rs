@@ -3,7 +3,7 @@
 //! Loose ends are paired greedily by cost, in rounds of growing reach: two that look straight at each other over a gap,
 //! two whose straight continuations meet in a corner, or two so close that it does not matter how they look.
 
-use super::chain::{Chain, NO_NODE, Vertex};
+use super::chain::{Chain, Vertex};
 use super::stray;
 use super::tree::Tree;
 use super::vec2::{along, cross, distance, dot, meet, sub, unit};
@@ -158,13 +158,7 @@ fn follow(chains: &[Chain], ends: &[End], mate: &[Mate], start: usize, seen: &mu
         let Some((next, corner)) = mate[entry ^ 1] else { break };
         if let Some(at) = corner {
             trim(&mut vertices, at, ends[entry ^ 1].out);
-            vertices.push(Vertex {
-                at,
-                spacing: ends[next].spacing,
-                corner: true,
-                weak: false,
-                node: NO_NODE,
-            });
+            vertices.push(Vertex::corner(at, ends[next].spacing));
         }
         if next == start {
             closed = true;

@@ -3,10 +3,11 @@
 //! A section of a surface has no junctions: each node has one neighbour ahead and one behind. Links are taken
 //! greedily by cost, so that the surest come first and ties fall to the lower index.
 
+use super::ascending::ascending;
 use super::chain::{Chain, Vertex};
 use super::node::{Node, Nodes};
 use super::tree::Tree;
-use super::vec2::{ascending, distance, dot, sub};
+use super::vec2::{distance, dot, sub};
 
 /// Greatest length of a link between nodes, in local spacings.
 const LINK: f64 = 2.4;
@@ -94,12 +95,11 @@ fn walk(nodes: &[Node], ports: &[Ports]) -> Vec<Chain> {
         let (mut from, mut at) = (u32::MAX, start);
         loop {
             seen[at] = true;
+            let node = &nodes[at];
             chain.vertices.push(Vertex {
-                at: nodes[at].at,
-                spacing: nodes[at].spacing,
-                corner: false,
-                weak: nodes[at].weak,
+                weak: node.weak,
                 node: at as u32,
+                ..Vertex::new(node.at, node.spacing)
             });
             let next = if ports[at][0] == from { ports[at][1] } else { ports[at][0] };
             let next =

@@ -4,7 +4,7 @@
 //! closed contour.
 
 use super::band::Band;
-use super::chain::{Chain, NO_NODE, Vertex};
+use super::chain::{Chain, Vertex};
 use super::vec2::along;
 
 /// Pull of a knot towards its own feature point: holds knots that no mark lies near.
@@ -12,13 +12,7 @@ const HOLD: f64 = 0.05;
 
 /// The polyline with one vertex for each feature (ascending indices into `band.marks`).
 pub(crate) fn polyline(band: &Band, features: &[usize]) -> Chain {
-    let vertex = |at: [f64; 2], f: usize| Vertex {
-        at,
-        spacing: band.marks[f].spacing,
-        corner: false,
-        weak: false,
-        node: NO_NODE,
-    };
+    let vertex = |at: [f64; 2], f: usize| Vertex::new(at, band.marks[f].spacing);
     let closed = band.chain.closed && features.len() >= 3;
     let mut system = System::new(band, features, closed);
     for (m, mark) in band.marks.iter().enumerate() {

@@ -3,10 +3,11 @@
 //! Nodes are taken from the samples nearest to the plane first; the samples beside a node that show the same piece
 //! of curve need no node of their own.
 
+use super::ascending::ascending;
 use super::carry::Sample;
 use super::chain::NO_NODE;
 use super::tree::Tree;
-use super::vec2::{along, ascending, distance, dot, left, local, unit};
+use super::vec2::{along, distance, dot, left, local, unit};
 
 /// A place on the curve that several samples agree on.
 #[derive(Clone, Copy, Debug)]

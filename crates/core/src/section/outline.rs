@@ -1,7 +1,8 @@
 //! From the samples of one slab to the outlines of its contours. A contour that is closed at once is drawn once; where
 //! ends are left, smooth ends are joined, and drawn again.
 
-use super::band::{self, Band, Growth};
+use super::assign::assign;
+use super::band::{Band, Growth};
 use super::carry::Sample;
 use super::chain::Chain;
 use super::params::{Outline, SectionParams, Side};
@@ -26,7 +27,7 @@ pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Tex
     let chains = link::chains(&nodes);
     let chains = join::joined(chains, &[]).into_iter().map(tidy::tidy).collect();
     let mut free = vec![true; samples.len()];
-    let mut bands = band::assign(samples, &nodes.owners, &free, chains);
+    let mut bands = assign(samples, &nodes.owners, &free, chains);
     let middle = |b: &Band| tidy::tidy(smooth::middle(b, texture.noise));
     let mut lines: Vec<Chain> = bands.iter().map(middle).collect();
     if !lines.iter().all(|c| c.closed) {
@@ -36,7 +37,7 @@ pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Tex
         return drawn(&bands, lines);
     }
     free.fill(true);
-    let bands = band::assign(samples, &nodes.owners, &free, lines.into_iter().filter(drawable).collect());
+    let bands = assign(samples, &nodes.owners, &free, lines.into_iter().filter(drawable).collect());
     let outlines = bands.iter().map(|b| outline(b, params)).collect();
     drawn(&bands, outlines)
 }
@@ -55,7 +56,7 @@ fn again(
     (*bands, *lines) = settled.into_iter().unzip();
     bands.iter().flat_map(|b| &b.marks).for_each(|m| free[m.source as usize] = false);
     let open = open.into_iter().map(|(_, line)| line).filter(drawable).collect();
-    let redrawn = band::assign(samples, owners, free, join::joined(open, lines));
+    let redrawn = assign(samples, owners, free, join::joined(open, lines));
     lines.extend(redrawn.iter().map(middle));
     bands.extend(redrawn);
 }

@@ -39,7 +39,7 @@ impl Polyline {
 
     /// Distance of a point that has a vertex within `reach`.
     pub(crate) fn off_within(&self, p: [f64; 2], reach: f64) -> Option<f64> {
-        Some(self.among(p, reach).1).filter(|off| off.is_finite())
+        self.nearest_within(p, reach).map(|near| near.1)
     }
 
     /// The nearest point and its distance, for a point that has a vertex within `reach`.

@@ -1,7 +1,7 @@
 //! The middle of a band: local regression between its corners.
 
 use super::band::Band;
-use super::chain::{Chain, NO_NODE, Vertex};
+use super::chain::{Chain, Vertex};
 use super::corner::corners;
 use super::vec2::distance;
 
@@ -137,7 +137,7 @@ fn stretch(band: &Band, noise: f64, from: f64, to: f64, corner: bool, vertices: 
         if let Some(local) = parabola(band, arc, width(band, arc, local_h, noise) * local_h, low, high) {
             // Far from the polyline the regression runs away on too few samples.
             let at = if distance(local.at, band.at(arc)) <= local_h { local.at } else { band.at(arc) };
-            vertices.push(Vertex { at, spacing: local_h, corner: false, weak: false, node: NO_NODE });
+            vertices.push(Vertex::new(at, local_h));
         }
     }
 }
@@ -145,5 +145,5 @@ fn stretch(band: &Band, noise: f64, from: f64, to: f64, corner: bool, vertices: 
 fn end_vertex(band: &Band, noise: f64) -> Option<Vertex> {
     let h = spacing_at(band, band.length);
     regress(band, band.length, width(band, band.length, h, noise) * h, f64::NEG_INFINITY, f64::INFINITY)
-        .map(|local| Vertex { at: local.at, spacing: h, corner: false, weak: false, node: NO_NODE })
+        .map(|local| Vertex::new(local.at, h))
 }

@@ -66,7 +66,7 @@ pub enum Feature {
     Taper {
         /// Mean angle between the walls and the axis, degrees; positive where the outline grows along the axis.
         angle_deg: f64,
-        /// Height at which the outline would shrink to nothing, world unit.
+        /// Height at which the outline would shrink to nothing, world unit; infinite where it does nowhere.
         apex: f64,
         /// Radius at `from`, world unit, if the outline is a circle.
         radius: Option<f64>,

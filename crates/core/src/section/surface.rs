@@ -81,7 +81,8 @@ pub(crate) fn texture(points: &[[f64; 3]], index: &Index) -> Texture {
     }
 }
 
-fn quantile(values: &mut [f64], share: f64) -> f64 {
+/// A quantile; 0 for none.
+pub(super) fn quantile(values: &mut [f64], share: f64) -> f64 {
     if values.is_empty() {
         return 0.0;
     }

@@ -60,12 +60,3 @@ pub(crate) fn onto(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> (f64, f64) {
     let share = if length2 > 0.0 { (dot(sub(p, a), d) / length2).clamp(0.0, 1.0) } else { 0.0 };
     (share, distance(p, along(a, d, share)))
 }
-
-/// The indices of numbers that are not negative, ascending by their values in f32, equal ones as they come.
-pub(crate) fn ascending(numbers: impl Iterator<Item = f64>) -> impl Iterator<Item = u32> {
-    // Such numbers order as their bits do: value and index go into one word.
-    let word = |(x, i): (f64, u64)| u64::from((x as f32).to_bits()) << 32 | i;
-    let mut words: Vec<u64> = numbers.zip(0..).map(word).collect();
-    words.sort_unstable();
-    words.into_iter().map(|word| word as u32)
-}

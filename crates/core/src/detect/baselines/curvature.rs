@@ -2,13 +2,12 @@
 
 use super::SCALE;
 use crate::detect::projection::scales::at_every_scale;
+use crate::math::least_squares::least_squares;
 use crate::math::vec3::{cross, dot, perpendicular, sub};
 use crate::resolution::Resolution;
 
 /// Coefficients of `z = a + b u + c v + d u^2 + e u v + f v^2`.
 const TERMS: usize = 6;
-/// Least pivot of the normal equations, of a diagonal near one, at which the points carry a quadric.
-const LEAST_PIVOT: f64 = 1e-9;
 
 /// `(N)` absolute mean curvature at a point, of the least-squares quadric over the tangent plane through it and its 16
 /// nearest neighbours: per spacing, at most 1, as no radius below one spacing is seen. Zero where the points carry no
@@ -33,38 +32,7 @@ fn curvature([_, b, c, d, e, f]: [f64; TERMS]) -> f64 {
 
 /// Least squares by the normal equations; `None` when they are singular.
 fn quadric(rows: impl Iterator<Item = [f64; 3]>) -> Option<[f64; TERMS]> {
-    // The last column is the right side.
-    let mut system = [[0.0; TERMS + 1]; TERMS];
-    for [u, v, z] in rows {
-        let terms = [1.0, u, v, u * u, u * v, v * v, z];
-        for (line, own) in system.iter_mut().zip(terms) {
-            line.iter_mut().zip(terms).for_each(|(sum, other)| *sum += own * other);
-        }
-    }
-    solve(system)
-}
-
-/// Elimination with the greatest diagonal entries to one; the matrix is positive semidefinite and needs no pivoting.
-fn solve(mut m: [[f64; TERMS + 1]; TERMS]) -> Option<[f64; TERMS]> {
-    let diagonal: [f64; TERMS] = std::array::from_fn(|i| m[i][i]);
-    for i in 0..TERMS {
-        // Written so that a pivot that is no number is refused too.
-        let sound = m[i][i] > LEAST_PIVOT * diagonal[i];
-        if !sound {
-            return None;
-        }
-        let pivot = m[i];
-        for line in m.iter_mut().skip(i + 1) {
-            let factor = line[i] / pivot[i];
-            line.iter_mut().zip(pivot).for_each(|(x, p)| *x -= factor * p);
-        }
-    }
-    let mut x = [0.0; TERMS];
-    for i in (0..TERMS).rev() {
-        let known: f64 = (i + 1..TERMS).map(|j| m[i][j] * x[j]).sum();
-        x[i] = (m[i][TERMS] - known) / m[i][i];
-    }
-    Some(x)
+    least_squares(rows.map(|[u, v, z]| ([1.0, u, v, u * u, u * v, v * v], z)))
 }
 
 #[cfg(test)]

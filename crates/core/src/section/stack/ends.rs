@@ -45,8 +45,8 @@ impl By {
 }
 
 /// Sets `from`, `to`, `range_error` of every run, and what a taper has at its ends, from the points between its slices
-/// and those just outside. The runs of a track come one after another. A taper that ends at no edge is none: any piece of a curved
-/// wall may look like one.
+/// and those just outside. The runs of a track come one after another. A taper that ends at no edge is none: any piece of
+/// a curved wall may look like one.
 pub(super) fn refine(
     local: &Localised,
     index: &Index,

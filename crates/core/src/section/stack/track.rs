@@ -23,9 +23,8 @@ struct Open<'a> {
     track: Track<'a>,
 }
 
-/// Follows contours from slice to slice: solid to solid and hole to hole, nearest first by centroid and size; the same
-/// outline counts as one even so. A slice that
-/// does not show a contour closed is passed over where `shown` says that it lies there nevertheless.
+/// Follows contours from slice to slice: solid to solid and hole to hole, or the same outline, nearest first by centroid
+/// and size. A slice that does not show a contour closed is passed over where `shown` says that it lies there nevertheless.
 pub(super) fn tracks<'a>(
     levels: &'a [Vec<Profile>],
     heights: &[f64],

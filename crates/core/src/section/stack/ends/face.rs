@@ -3,6 +3,7 @@
 
 use super::near::{Search, Spot};
 use super::{By, End};
+use crate::math::least_squares::least_squares;
 use crate::math::vec3;
 
 /// Fewest points that show a face.
@@ -120,36 +121,4 @@ fn crest(cluster: &[Spot], h: f64) -> Option<(f64, f64)> {
         }
     }
     Some((mean[2] + height, spread))
-}
-
-/// Coefficients of least squares for rows (functions, value), by the normal equations; `None` where they are singular.
-pub(super) fn least_squares<const N: usize>(rows: impl Iterator<Item = ([f64; N], f64)>) -> Option<[f64; N]> {
-    let (mut m, mut right) = ([[0.0; N]; N], [0.0; N]);
-    for (x, y) in rows {
-        for i in 0..N {
-            right[i] += x[i] * y;
-            (0..N).for_each(|j| m[i][j] += x[i] * x[j]);
-        }
-    }
-    for k in 0..N {
-        let pivot = (k..N).max_by(|&i, &j| m[i][k].abs().total_cmp(&m[j][k].abs()))?;
-        m.swap(k, pivot);
-        right.swap(k, pivot);
-        let size = m[k].iter().fold(0.0f64, |s, x| s.max(x.abs()));
-        if m[k][k].abs() <= 1e-12 * size || size == 0.0 {
-            return None;
-        }
-        for i in k + 1..N {
-            let factor = m[i][k] / m[k][k];
-            right[i] -= factor * right[k];
-            for j in k..N {
-                m[i][j] -= factor * m[k][j];
-            }
-        }
-    }
-    for k in (0..N).rev() {
-        let known: f64 = (k + 1..N).map(|j| m[k][j] * right[j]).sum();
-        right[k] = (right[k] - known) / m[k][k];
-    }
-    Some(right)
 }

@@ -3,6 +3,7 @@
 
 use super::super::Feature;
 use super::super::runs::Found;
+use crate::math::least_squares::least_squares;
 
 /// How far from the last contour an apex is looked for, in spacings.
 const NEAR: f64 = 12.0;
@@ -130,7 +131,7 @@ fn line(points: &[[f64; 2]]) -> [f64; 2] {
 /// The parabola of least squares through (x, y): constant, slope, square.
 fn parabola(points: &[[f64; 2]]) -> [f64; 3] {
     let rows = points.iter().map(|&[x, y]| ([1.0, x, x * x], y));
-    super::face::least_squares(rows).unwrap_or_else(|| {
+    least_squares(rows).unwrap_or_else(|| {
         let [a, b] = line(points);
         [a, b, 0.0]
     })

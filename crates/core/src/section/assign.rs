@@ -1,0 +1,138 @@
+//! Which contour each sample belongs to, and where along it.
+
+use super::band::{Band, Mark, segment, segments};
+use super::carry::Sample;
+use super::chain::{Chain, NO_NODE};
+use super::tree::Tree;
+use super::vec2::{along, cross, distance, dot, onto, sub, unit};
+
+/// Gives every sample that is `free` to the nearest contour that runs its way; samples near none are left out.
+///
+/// `owners` has for each sample its node; where the contours are chains of nodes, those with a node there are placed beside
+/// it, and only for the others, and those not close to it, all contours are looked along.
+pub(crate) fn assign(samples: &[Sample], owners: &[u32], free: &[bool], chains: Vec<Chain>) -> Vec<Band> {
+    let bands: Vec<Band> = chains.into_iter().map(Band::new).collect();
+    let mut best = vec![Place { off: f64::INFINITY, band: 0, arc: 0.0, growth: 0.0 }; samples.len()];
+    let seats = seats(&bands);
+    let mut rest = Vec::new();
+    for (i, place) in best.iter_mut().enumerate().filter(|(i, _)| free[*i]) {
+        if let Some(&(b, v)) = seats.get(owners[i] as usize).filter(|seat| seat.0 != NO_BAND) {
+            place.beside(&samples[i], b, &bands[b as usize], v as usize);
+        }
+        if place.off > SURE * samples[i].spacing {
+            rest.push(i as u32);
+        }
+    }
+    search(samples, &rest, &bands, &mut best);
+    let marks = marks(samples, &best, bands.len());
+    bands.into_iter().zip(marks).map(|(band, marks)| band.marked(marks)).collect()
+}
+
+/// Samples this far from the contour beside their node, in spacings, may lie nearer to another stretch: at the tip of a
+/// narrow wedge a node stands for both sides.
+const SURE: f64 = 0.2;
+
+/// For each node the band it is in and its vertex there.
+fn seats(bands: &[Band]) -> Vec<(u32, u32)> {
+    let mut seats = Vec::new();
+    for (b, band) in (0u32..).zip(bands) {
+        for (v, vertex) in (0u32..).zip(&band.chain.vertices).filter(|(_, vertex)| vertex.node != NO_NODE) {
+            let node = vertex.node as usize;
+            seats.resize(seats.len().max(node + 1), (NO_BAND, 0));
+            seats[node] = (b, v);
+        }
+    }
+    seats
+}
+
+/// The node is in no band.
+const NO_BAND: u32 = u32::MAX;
+
+/// Looks along all contours for some of the samples.
+fn search(samples: &[Sample], wanted: &[u32], bands: &[Band], best: &mut [Place]) {
+    let feet: Vec<[f64; 2]> = wanted.iter().map(|&i| samples[i as usize].foot).collect();
+    if feet.is_empty() {
+        return;
+    }
+    let (tree, mut found) = (Tree::new(&feet), Vec::new());
+    for (b, band) in bands.iter().enumerate() {
+        for v in 0..segments(band) {
+            let (from, to) = segment(band, v);
+            let (length, spacing) = (distance(from, to), band.chain.vertices[v].spacing);
+            // Long segments are looked along in balls of a few spacings, not in one large one.
+            let pieces = (length / (3.0 * spacing)).ceil().clamp(1.0, 1e6) as usize;
+            for k in 0..pieces {
+                let middle = along(from, sub(to, from), (k as f64 + 0.5) / pieces as f64);
+                tree.within(middle, 0.5 * length / pieces as f64 + REACH * spacing, &mut found);
+                for i in found.iter().map(|&k| wanted[k as usize] as usize) {
+                    best[i].meet(&samples[i], b as u32, band.arcs[v], [from, to]);
+                }
+            }
+        }
+    }
+}
+
+/// How far from a contour samples are looked for, in its own spacings; each then has a say by its own.
+const REACH: f64 = 1.5;
+
+/// Where a sample lies along the nearest contour so far.
+#[derive(Clone, Copy)]
+struct Place {
+    /// Distance from the contour, with a part for how much the two run apart: at the tip of a narrow wedge both sides
+    /// are near.
+    off: f64,
+    band: u32,
+    arc: f64,
+    growth: f64,
+}
+
+/// Distance in spacings that counts like running across each other.
+const ACROSS: f64 = 0.5;
+
+impl Place {
+    /// Takes the nearest of the four segments around a vertex.
+    fn beside(&mut self, sample: &Sample, b: u32, band: &Band, vertex: usize) {
+        let n = segments(band);
+        for step in 0..4 {
+            let v = if band.chain.closed {
+                Some((vertex + 2 * n + step - 2) % n)
+            } else {
+                (vertex + step).checked_sub(2)
+            };
+            if let Some(v) = v.filter(|&v| v < n) {
+                self.meet(sample, b, band.arcs[v], segment(band, v).into());
+            }
+        }
+    }
+
+    /// Takes a segment, which begins at `start` along its contour, if it is nearer and runs the sample's way.
+    fn meet(&mut self, sample: &Sample, band: u32, start: f64, [from, to]: [[f64; 2]; 2]) {
+        let (share, off) = onto(from, to, sample.foot);
+        if off >= self.off || off > sample.spacing {
+            return;
+        }
+        let direction = unit(sub(to, from));
+        let off = off.hypot(ACROSS * sample.spacing * cross(direction, sample.tangent));
+        if off < self.off && dot(direction, sample.tangent).abs() >= 0.6 {
+            let growth = cross(sample.drift, direction);
+            *self = Place { off, band, arc: start + share * distance(from, to), growth };
+        }
+    }
+}
+
+/// The marks of each band, ascending by arc, ties by source.
+fn marks(samples: &[Sample], best: &[Place], bands: usize) -> Vec<Vec<Mark>> {
+    // Arcs are not negative: their bits order as they do. Band, arc and index go into one number.
+    let placed = best.iter().zip(0u32..).filter(|(place, _)| place.off.is_finite());
+    let number =
+        |(p, i): (&Place, u32)| u128::from(p.band) << 96 | u128::from(p.arc.to_bits()) << 32 | u128::from(i);
+    let mut order: Vec<u128> = placed.map(number).collect();
+    order.sort_unstable();
+    let mut marks = vec![Vec::new(); bands];
+    for source in order.into_iter().map(|number| number as u32) {
+        let Place { band, arc, growth, .. } = best[source as usize];
+        let Sample { raw, weight, blur, spacing, .. } = samples[source as usize];
+        marks[band as usize].push(Mark { arc, raw, weight, blur, spacing, growth, source });
+    }
+    marks
+}
