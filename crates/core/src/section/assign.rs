@@ -112,7 +112,8 @@ impl Place {
             return;
         }
         let direction = unit(sub(to, from));
-        let off = off.hypot(ACROSS * sample.spacing * cross(direction, sample.tangent));
+        let across = ACROSS * sample.spacing * cross(direction, sample.tangent);
+        let off = (off * off + across * across).sqrt();
         if off < self.off && dot(direction, sample.tangent).abs() >= 0.6 {
             let growth = cross(sample.drift, direction);
             *self = Place { off, band, arc: start + share * distance(from, to), growth };
