@@ -126,8 +126,10 @@ pub fn extract_observed(
 ) -> Result<Extraction, Error> {
     params.check()?;
     let mut clock = Clock { observe, stages: Vec::new() };
-    let Localised { frame, positions, source, canonical, dropped, merged } =
-        clock.run(Stage::Localise, || Frame::localise(world))?;
+    let (canonical, local) =
+        clock.run(Stage::Localise, || Frame::localise(world).map(|local| (local.canonical(), local)))?;
+    let merged = local.merged();
+    let Localised { frame, positions, source, dropped, .. } = local;
     refuse_degenerate(world.len(), &positions)?;
     refuse_tiny(&frame, &positions)?;
 

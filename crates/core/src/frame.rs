@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use crate::cloud::Cloud;
 use crate::error::Error;
-use morton::Grid;
+use morton::{Grid, LEVELS};
 use order::Ordered;
 
 /// Squares of coordinate differences beyond this extent could overflow.
@@ -34,12 +34,28 @@ pub struct Localised {
     pub positions: Vec<[f64; 3]>,
     /// `(M)` for each canonical point its index in the input, the least one among exact duplicates.
     pub source: Vec<u32>,
-    /// `(N)` for each input point its canonical index; `u32::MAX` where it was dropped as non-finite.
-    pub canonical: Vec<u32>,
+    /// Each input point that repeats another one exactly, with their canonical index.
+    pub repeats: Vec<(u32, u32)>,
     /// The number of input points with a coordinate that is not finite.
     pub dropped: usize,
+}
+
+impl Localised {
     /// The number of input points that repeat another one exactly.
-    pub merged: usize,
+    pub fn merged(&self) -> usize {
+        self.repeats.len()
+    }
+
+    /// `(N)` for each input point its canonical index; `u32::MAX` where it was dropped as non-finite.
+    pub fn canonical(&self) -> Vec<u32> {
+        let read = self.source.len() + self.merged() + self.dropped;
+        let canonical: Vec<AtomicU32> = (0..read).into_par_iter().map(|_| AtomicU32::new(u32::MAX)).collect();
+        // Every input point is numbered once, so that it does not matter which thread does it.
+        let number = |i: u32, c: u32| canonical[i as usize].store(c, Relaxed);
+        self.source.par_iter().enumerate().for_each(|(c, &i)| number(i, c as u32));
+        self.repeats.iter().for_each(|&(i, c)| number(i, c));
+        canonical.into_iter().map(AtomicU32::into_inner).collect()
+    }
 }
 
 impl Frame {
@@ -64,9 +80,8 @@ impl Frame {
         let to_local = 1.0 / frame.scale;
         positions.par_iter_mut().for_each(|p| *p = p.map(|x| x * to_local));
         let finite = positions.len();
-        let canonical = merge(&mut positions, &mut source, points.len());
-        let (dropped, merged) = (points.len() - finite, finite - positions.len());
-        Ok(Localised { frame, positions, source, canonical, dropped, merged })
+        let repeats = if levels[LEVELS] > 0 { merge(&mut positions, &mut source) } else { Vec::new() };
+        Ok(Localised { frame, positions, source, repeats, dropped: points.len() - finite })
     }
 
     /// The world coordinates of a local point.
@@ -145,28 +160,20 @@ impl Bounds {
     }
 }
 
-/// Keeps the first of each run of equal points, and numbers the input by what is kept. Every input point is
-/// numbered once, so that it does not matter which thread does it.
-fn merge(positions: &mut Vec<[f64; 3]>, source: &mut Vec<u32>, read: usize) -> Vec<u32> {
-    let canonical: Vec<AtomicU32> = (0..read).into_par_iter().map(|_| AtomicU32::new(u32::MAX)).collect();
-    let number = |(c, &i): (usize, &u32)| canonical[i as usize].store(c as u32, Relaxed);
-    if positions.par_windows(2).any(|pair| pair[0] == pair[1]) {
-        let mut kept = 0;
-        for i in 0..positions.len() {
-            let index = source[i];
-            if i == 0 || positions[i] != positions[kept - 1] {
-                positions[kept] = positions[i];
-                source[kept] = index;
-                kept += 1;
-            }
-            number((kept - 1, &index));
+/// Keeps the first of each run of equal points; returns the others' indices in the input, with what they repeat.
+fn merge(positions: &mut Vec<[f64; 3]>, source: &mut Vec<u32>) -> Vec<(u32, u32)> {
+    let (mut kept, mut repeats) = (0, Vec::new());
+    for i in 0..positions.len() {
+        if kept > 0 && positions[i] == positions[kept - 1] {
+            repeats.push((source[i], kept as u32 - 1));
+            continue;
         }
-        positions.truncate(kept);
-        source.truncate(kept);
-    } else {
-        source.par_iter().enumerate().for_each(number);
+        (positions[kept], source[kept]) = (positions[i], source[i]);
+        kept += 1;
     }
-    canonical.into_iter().map(AtomicU32::into_inner).collect()
+    positions.truncate(kept);
+    source.truncate(kept);
+    repeats
 }
 
 #[cfg(test)]

@@ -22,6 +22,7 @@ mod lsq;
 mod nest;
 mod node;
 mod outline;
+mod packed;
 mod params;
 mod plane;
 mod polyline;

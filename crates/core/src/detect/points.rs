@@ -27,7 +27,9 @@ pub struct Marked {
 /// As [`extract`](crate::extract()).
 pub fn mark(world: &Cloud, params: &Params, detectors: &[Detector]) -> Result<Marked, Error> {
     params.check()?;
-    let Localised { frame, positions, canonical, dropped, merged, .. } = Frame::localise(world)?;
+    let local = Frame::localise(world)?;
+    let (canonical, merged) = (local.canonical(), local.merged());
+    let Localised { frame, positions, dropped, .. } = local;
     refuse_degenerate(world.len(), &positions)?;
     let nearest = all_nearest(&positions, params.neighbors.k);
     let estimate = Resolution::estimate(&positions, &nearest, &graph(&positions, &nearest));

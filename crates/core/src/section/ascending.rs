@@ -1,21 +1,47 @@
-//! Sorting by a number and then by index, in one word.
+//! Sorting by small numbers, in time that grows as their count.
 
-/// The indices of numbers that are not negative, ascending by their values in f32, equal ones as they come.
-pub(crate) fn ascending(numbers: impl Iterator<Item = f64>) -> impl Iterator<Item = u32> {
-    // Such numbers order as their bits do: value and index go into one word.
-    let word = |(x, i): (f64, u64)| u64::from((x as f32).to_bits()) << 32 | i;
-    let mut words: Vec<u64> = numbers.zip(0..).map(word).collect();
-    words.sort_unstable();
-    words.into_iter().map(|word| word as u32)
+/// Steps in a unit: numbers closer than that count as equal.
+const STEPS: f64 = 1024.0;
+/// Numbers above this are not told apart.
+const MOST: usize = 16;
+
+/// The indices of numbers that are not negative, ascending by their values to a thousandth, equal ones as they come.
+pub(crate) fn ascending(numbers: &[f64]) -> Vec<u32> {
+    let step = |&x: &f64| ((x * STEPS) as usize).min(MOST * STEPS as usize) as u32;
+    let steps: Vec<u32> = numbers.iter().map(step).collect();
+    dealt(&steps).0
+}
+
+/// The indices of numbers, ascending by value, equal ones as they come; and `(greatest + 2)` where those of each value
+/// begin.
+pub(crate) fn dealt(numbers: &[u32]) -> (Vec<u32>, Vec<u32>) {
+    let last = numbers.iter().fold(0, |last, &x| x.max(last)) as usize;
+    let mut starts = vec![0; last + 2];
+    numbers.iter().for_each(|&x| starts[x as usize + 1] += 1);
+    (0..=last).for_each(|x| starts[x + 1] += starts[x]);
+    let (mut order, mut next) = (vec![0; numbers.len()], starts.clone());
+    for (i, &x) in (0u32..).zip(numbers) {
+        let place: &mut u32 = &mut next[x as usize];
+        order[*place as usize] = i;
+        *place += 1;
+    }
+    (order, starts)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::ascending;
+    use super::*;
 
     #[test]
     fn indices_come_by_value_and_equal_ones_as_they_came() {
-        let numbers = [2.0, 0.0, 1e30, 0.5, 2.0, 1e-30, 0.0];
-        assert_eq!(ascending(numbers.into_iter()).collect::<Vec<_>>(), [1, 6, 5, 3, 0, 4, 2]);
+        let numbers = [2.0, 0.0, 1e30, 0.5, 2.0, 0.002, 0.0, 2.0001];
+        assert_eq!(ascending(&numbers), [1, 6, 5, 3, 0, 4, 7, 2]);
+        assert!(ascending(&[]).is_empty());
+    }
+
+    #[test]
+    fn values_begin_where_they_are_said_to() {
+        assert_eq!(dealt(&[2, 0, 2, 3]), (vec![1, 0, 2, 3], vec![0, 1, 1, 3, 4]));
+        assert_eq!(dealt(&[]), (vec![], vec![0, 0]));
     }
 }

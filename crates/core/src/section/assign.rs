@@ -1,9 +1,10 @@
 //! Which contour each sample belongs to, and where along it.
 
+use super::ascending::dealt;
 use super::band::{Band, Mark, segment, segments};
 use super::carry::Sample;
 use super::chain::{Chain, NO_NODE};
-use super::tree::Tree;
+use super::packed::Packed;
 use super::vec2::{along, cross, distance, dot, onto, sub, unit};
 
 /// Gives every sample that is `free` to the nearest contour that runs its way; samples near none are left out.
@@ -24,7 +25,7 @@ pub(crate) fn assign(samples: &[Sample], owners: &[u32], free: &[bool], chains: 
         }
     }
     search(samples, &rest, &bands, &mut best);
-    let marks = marks(samples, &best, bands.len());
+    let marks = marks(samples, &best, &bands);
     bands.into_iter().zip(marks).map(|(band, marks)| band.marked(marks)).collect()
 }
 
@@ -54,7 +55,7 @@ fn search(samples: &[Sample], wanted: &[u32], bands: &[Band], best: &mut [Place]
     if feet.is_empty() {
         return;
     }
-    let (tree, mut found) = (Tree::new(&feet), Vec::new());
+    let (tree, mut found) = (Packed::new(&feet), Vec::new());
     for (b, band) in bands.iter().enumerate() {
         for v in 0..segments(band) {
             let (from, to) = segment(band, v);
@@ -122,15 +123,26 @@ impl Place {
 }
 
 /// The marks of each band, ascending by arc, ties by source.
-fn marks(samples: &[Sample], best: &[Place], bands: usize) -> Vec<Vec<Mark>> {
-    // Arcs are not negative: their bits order as they do. Band, arc and index go into one number.
-    let placed = best.iter().zip(0u32..).filter(|(place, _)| place.off.is_finite());
-    let number =
-        |(p, i): (&Place, u32)| u128::from(p.band) << 96 | u128::from(p.arc.to_bits()) << 32 | u128::from(i);
-    let mut order: Vec<u128> = placed.map(number).collect();
-    order.sort_unstable();
-    let mut marks = vec![Vec::new(); bands];
-    for source in order.into_iter().map(|number| number as u32) {
+fn marks(samples: &[Sample], best: &[Place], bands: &[Band]) -> Vec<Vec<Mark>> {
+    let placed: Vec<u32> = (0..best.len() as u32).filter(|&i| best[i as usize].off.is_finite()).collect();
+    let places = || placed.iter().map(|&i| &best[i as usize]);
+    let mut counts = vec![0u32; bands.len()];
+    places().for_each(|p| counts[p.band as usize] += 1);
+    // As many cells along each band as it has samples: what shares a cell is sorted, the rest is in order by its cell.
+    let firsts = counts.iter().scan(0, |sum, &count| Some(std::mem::replace(sum, *sum + count)));
+    let per_length = |(band, &count): (&Band, &u32)| f64::from(count) / band.length.max(f64::MIN_POSITIVE);
+    let rows: Vec<(u32, f64)> = firsts.zip(bands.iter().zip(&counts).map(per_length)).collect();
+    let cell = |p: &Place| {
+        let (first, per_length) = rows[p.band as usize];
+        first + ((p.arc * per_length) as u32).min(counts[p.band as usize] - 1)
+    };
+    let (mut order, starts) = dealt(&places().map(cell).collect::<Vec<u32>>());
+    for cell in starts.windows(2).map(|w| w[0] as usize..w[1] as usize).filter(|cell| cell.len() > 1) {
+        let arc = |&k: &u32| best[placed[k as usize] as usize].arc;
+        order[cell].sort_unstable_by(|a, b| arc(a).total_cmp(&arc(b)).then(a.cmp(b)));
+    }
+    let mut marks: Vec<Vec<Mark>> = counts.iter().map(|&count| Vec::with_capacity(count as usize)).collect();
+    for source in order.into_iter().map(|k| placed[k as usize]) {
         let Place { band, arc, growth, .. } = best[source as usize];
         let Sample { raw, weight, blur, spacing, .. } = samples[source as usize];
         marks[band as usize].push(Mark { arc, raw, weight, blur, spacing, growth, source });

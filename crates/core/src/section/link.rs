@@ -49,7 +49,7 @@ fn take(nodes: &[Node], pairs: impl Iterator<Item = (u32, u32)>, ports: &mut [Po
         (free(ports, both.0) && free(ports, both.1)).then_some((cost, both))
     };
     let (costs, links): (Vec<f64>, Vec<(Port, Port)>) = pairs.filter_map(candidate).unzip();
-    for i in ascending(costs.into_iter()) {
+    for i in ascending(&costs) {
         let (a, b) = links[i as usize];
         if free(ports, a) && free(ports, b) {
             ports[a.0 as usize][usize::from(a.1)] = b.0;

@@ -6,7 +6,7 @@
 use super::ascending::ascending;
 use super::carry::Sample;
 use super::chain::NO_NODE;
-use super::tree::Tree;
+use super::packed::Packed;
 use super::vec2::{along, distance, dot, left, local, unit};
 
 /// A place on the curve that several samples agree on.
@@ -38,7 +38,7 @@ pub(crate) struct Nodes {
 
 /// Nodes about 0.7 spacings apart: a short line fitted to the samples around each, where the surface passes through
 /// (there are samples from both sides of the plane). `tree` holds the feet of the samples.
-pub(crate) fn nodes(samples: &[Sample], tree: &Tree<2>) -> Nodes {
+pub(crate) fn nodes(samples: &[Sample], tree: &Packed) -> Nodes {
     let (mut nodes, mut found) = (Nodes::default(), Vec::new());
     nodes.owners = vec![NO_NODE; samples.len()];
     let mut state = vec![OPEN; samples.len()];
@@ -71,9 +71,9 @@ pub(crate) fn nodes(samples: &[Sample], tree: &Tree<2>) -> Nodes {
 }
 
 /// The samples in the order they are tried: sound ones first, those nearest to the plane first, ties by index.
-fn order(samples: &[Sample]) -> impl Iterator<Item = u32> {
+fn order(samples: &[Sample]) -> Vec<u32> {
     let rank = |s: &Sample| s.lift.abs() / (1.0 + s.lift.abs()) + if s.weak { 1.0 } else { 0.0 };
-    ascending(samples.iter().map(rank))
+    ascending(&samples.iter().map(rank).collect::<Vec<f64>>())
 }
 
 /// A sample that has no node, and one that needs none; else its state is the index of its node.

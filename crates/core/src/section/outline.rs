@@ -5,6 +5,7 @@ use super::assign::assign;
 use super::band::{Band, Growth};
 use super::carry::Sample;
 use super::chain::Chain;
+use super::packed::Packed;
 use super::params::{Outline, SectionParams, Side};
 use super::surface::Texture;
 use super::tree::Tree;
@@ -22,8 +23,7 @@ pub(crate) struct Drawn {
 /// The outlines of a slab's contours, longest first.
 pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Texture) -> Vec<Drawn> {
     let feet: Vec<[f64; 2]> = samples.iter().map(|s| s.foot).collect();
-    let tree = Tree::new(&feet);
-    let nodes = node::nodes(samples, &tree);
+    let nodes = node::nodes(samples, &Packed::new(&feet));
     let chains = link::chains(&nodes);
     let chains = join::joined(chains, &[]).into_iter().map(tidy::tidy).collect();
     let mut free = vec![true; samples.len()];

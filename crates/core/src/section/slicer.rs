@@ -192,7 +192,7 @@ impl<'a> Slicer<'a> {
             spacing: self.texture.spacing * self.scale,
             noise: self.texture.noise,
             dropped: self.local.dropped,
-            merged: self.local.merged,
+            merged: self.local.merged(),
             sections,
         }
     }

@@ -128,7 +128,7 @@ pub(super) fn spacing_at(band: &Band, arc: f64) -> f64 {
 /// are corners.
 fn stretch(band: &Band, noise: f64, from: f64, to: f64, corner: bool, vertices: &mut Vec<Vertex>) {
     let h = spacing_at(band, 0.5 * (from + to)).max(1e-300);
-    let pieces = ((to - from) / (0.8 * h)).round().clamp(1.0, 4e6) as usize;
+    let pieces = ((to - from) / h).round().clamp(1.0, 4e6) as usize;
     let whole = !corner && band.chain.closed;
     let (low, high) = if whole { (f64::NEG_INFINITY, f64::INFINITY) } else { (from, to) };
     for k in usize::from(corner)..pieces {

@@ -28,9 +28,10 @@ pub(crate) struct Texture {
 /// The patches of the points of some leaves.
 pub(crate) struct Surface<'a> {
     tiles: &'a Tiles,
-    /// For each leaf beside a crease, or that is not flat and was asked for, where its patches begin; else `NONE`.
+    /// For each leaf beside a crease, or that is not flat and was asked for, where its patches begin among those of the
+    /// tiles and then those here; else `NONE`.
     starts: Vec<u32>,
-    /// Place by place, [`WIDTH`] for each of those leaves.
+    /// Place by place, [`WIDTH`] for each of the leaves that were asked for.
     patches: Vec<Patch>,
 }
 
@@ -52,7 +53,11 @@ impl Surface<'_> {
 
     /// The patches of a leaf that is not flat, place by place.
     pub(crate) fn fine(&self, leaf: usize) -> Option<&[Patch]> {
-        self.patches.get(self.starts[leaf] as usize..)?.get(..WIDTH)
+        let (start, shared) = (self.starts[leaf] as usize, &self.tiles.patches);
+        match start.checked_sub(shared.len()) {
+            None => shared.get(start..start + WIDTH),
+            Some(own) => self.patches.get(own..)?.get(..WIDTH),
+        }
     }
 }
 
@@ -99,10 +104,10 @@ pub(crate) fn fit<'a>(
     noise: f64,
 ) -> Surface<'a> {
     let mut starts = vec![NONE; tiles.tiles.len()];
-    tiles.mixed.iter().zip((0..).step_by(WIDTH)).for_each(|(m, start)| starts[m.leaf as usize] = start);
+    tiles.mixed.iter().zip((0..).step_by(WIDTH)).for_each(|(&leaf, start)| starts[leaf as usize] = start);
     let unknown = |&l: &u32| !tiles.tiles[l as usize].flat && starts[l as usize] == NONE;
     let leaves: Vec<u32> = wanted.iter().copied().filter(unknown).collect();
-    let first = (tiles.mixed.len() * WIDTH) as u32;
+    let first = tiles.patches.len() as u32;
     leaves.iter().zip((first..).step_by(WIDTH)).for_each(|(&leaf, start)| starts[leaf as usize] = start);
     let count = ((12.0 + 50.0 * noise) as usize).clamp(FIRST, MOST) - 1;
     let width = count.min(points.len().saturating_sub(1));
@@ -142,8 +147,8 @@ impl Fits {
 
 /// Lets badly fitting points adopt, all from the planes as they were fitted.
 fn adopt_all<'a>(points: &[[f64; 3]], mut own: Surface<'a>, fits: Vec<Fits>, noise: f64) -> Surface<'a> {
-    own.patches = own.tiles.mixed.iter().flat_map(|m| m.patches).collect();
-    own.patches.extend(fits.iter().flat_map(|f| &f.patches));
+    own.patches.reserve_exact(fits.iter().map(|f| f.patches.len()).sum());
+    fits.iter().for_each(|f| own.patches.extend_from_slice(&f.patches));
     let better = |fits: &Fits| {
         let mut start = 0;
         let visit = |&(i, count): &(u32, u32)| {
@@ -156,7 +161,7 @@ fn adopt_all<'a>(points: &[[f64; 3]], mut own: Surface<'a>, fits: Vec<Fits>, noi
     let better: Vec<Vec<(u32, Patch)>> = fits.par_iter().map(better).collect();
     for &(i, patch) in better.iter().flatten() {
         let (leaf, place) = own.tiles.place(i);
-        own.patches[own.starts[leaf] as usize + place] = patch;
+        own.patches[own.starts[leaf] as usize - own.tiles.patches.len() + place] = patch;
     }
     own
 }

@@ -30,21 +30,23 @@ pub(crate) struct Tile {
     pub heights: (f64, f64),
 }
 
-/// A leaf whose points lie on planes next to it.
-#[derive(Clone, Debug)]
-pub(crate) struct Mixed {
-    /// Its number.
-    pub leaf: u32,
-    /// The planes, place by place.
-    pub patches: [Patch; WIDTH],
+/// A leaf whose points lie on planes next to it, place by place.
+struct Mixed {
+    leaf: u32,
+    patches: [Patch; WIDTH],
 }
+
+/// The places of the points of a block, its tiles and its leaves.
+type Block<'a> = ((&'a mut [u16], &'a mut [Tile]), &'a [Leaf]);
 
 /// All leaves of an index.
 pub(crate) struct Tiles {
     /// In the order of the leaves.
     pub tiles: Vec<Tile>,
-    /// Those beside creases, in the same order.
-    pub mixed: Vec<Mixed>,
+    /// The leaves whose points lie on planes next to them, ascending.
+    pub mixed: Vec<u32>,
+    /// Those planes, [`WIDTH`] for each of the leaves, place by place.
+    pub patches: Vec<Patch>,
     /// For each point where it stands among the places of the leaves of its block.
     places: Vec<u16>,
 }
@@ -53,23 +55,31 @@ impl Tiles {
     /// Fits every leaf; heights run along `axis`, a unit vector.
     pub(crate) fn new(index: &Index, noise: f64, axis: [f64; 3]) -> Self {
         let mut places = vec![0; index.len()];
-        let leaves = index.leaves.par_chunks(BLOCK / WIDTH);
-        let block = |(b, (places, leaves)): (usize, (&mut [u16], &[Leaf]))| {
+        // Filled by all threads, since the first touch of new memory is what costs.
+        let mut tiles: Vec<Tile> = index.leaves.par_iter().map(|_| Tile::EMPTY).collect();
+        let block = |scratch: &mut Vec<Spread>, (b, ((places, tiles), leaves)): (usize, Block)| {
             for (l, leaf) in leaves.iter().enumerate() {
                 for (lane, id) in leaf.ids().enumerate() {
                     places[id as usize % BLOCK] = (l * WIDTH + lane) as u16;
                 }
             }
-            tiles(leaves, (b * (BLOCK / WIDTH)) as u32, noise, axis)
+            scratch.clear();
+            for (leaf, tile) in leaves.iter().zip(&mut *tiles) {
+                let (own, spread) = Tile::new(leaf, noise, axis);
+                *tile = own;
+                scratch.push(spread);
+            }
+            mixed(leaves, (b * (BLOCK / WIDTH)) as u32, tiles, scratch, noise)
         };
-        let blocks: Vec<(Vec<Tile>, Vec<Mixed>)> =
-            places.par_chunks_mut(BLOCK).zip(leaves).enumerate().map(block).collect();
-        let (mut tiles, mut mixed) = (Vec::with_capacity(index.leaves.len()), Vec::new());
-        for (own, beside) in blocks {
-            tiles.extend(own);
-            mixed.extend(beside);
+        let blocks = places.par_chunks_mut(BLOCK).zip(tiles.par_chunks_mut(BLOCK / WIDTH));
+        let blocks = blocks.zip(index.leaves.par_chunks(BLOCK / WIDTH)).enumerate();
+        let found: Vec<Vec<Mixed>> = blocks.map_init(Vec::new, block).collect();
+        let (mut mixed, mut patches) = (Vec::new(), Vec::new());
+        for own in found.into_iter().flatten() {
+            mixed.push(own.leaf);
+            patches.extend(own.patches);
         }
-        Self { tiles, mixed, places }
+        Self { tiles, mixed, patches, places }
     }
 
     /// The leaf that holds a point, and its place there.
@@ -79,12 +89,10 @@ impl Tiles {
     }
 }
 
-/// The tiles of one block. A tile counts as flat with the three next to it, as a bend that noise hides in one of them
-/// shows over all four; or alone, beside a crease, where it continues four flat ones.
-fn tiles(leaves: &[Leaf], first: u32, noise: f64, axis: [f64; 3]) -> (Vec<Tile>, Vec<Mixed>) {
-    let (mut tiles, spreads): (Vec<Tile>, Vec<Spread>) =
-        leaves.iter().map(|l| Tile::new(l, noise, axis)).unzip();
-    let widest = even(&mut tiles);
+/// Settles which tiles of one block are flat, and finds its mixed leaves. A tile counts as flat with the three next to it, as
+/// a bend that noise hides in one of them shows over all four; or alone, beside a crease, where it continues four flat ones.
+fn mixed(leaves: &[Leaf], first: u32, tiles: &mut [Tile], spreads: &[Spread], noise: f64) -> Vec<Mixed> {
+    let widest = even(tiles);
     let mut planes: Vec<Patch> = Vec::new();
     let mut rest = Vec::new();
     for (q, spreads) in spreads.chunks(QUAD).enumerate() {
@@ -109,9 +117,7 @@ fn tiles(leaves: &[Leaf], first: u32, noise: f64, axis: [f64; 3]) -> (Vec<Tile>,
     }
     let creased = |(tile, leaf): (&Tile, &Leaf)| if tile.flat { None } else { shared(leaf, &planes, noise) };
     let patches = tiles.iter().zip(leaves).map(creased);
-    let mixed = patches.zip(first..).filter_map(|(patches, leaf)| Some(Mixed { leaf, patches: patches? }));
-    let mixed = mixed.collect();
-    (tiles, mixed)
+    patches.zip(first..).filter_map(|(patches, leaf)| Some(Mixed { leaf, patches: patches? })).collect()
 }
 
 /// The plane nearby that each point of a leaf lies on, if there is one for all of them.
@@ -186,6 +192,8 @@ fn farthest(noise: f64) -> f64 {
 }
 
 impl Tile {
+    const EMPTY: Tile = Tile { patch: Patch::NONE, flat: false, narrow: false, heights: (0.0, 0.0) };
+
     fn new(leaf: &Leaf, noise: f64, axis: [f64; 3]) -> (Self, Spread) {
         let heights = leaf.along(axis)[..leaf.len()]
             .iter()
