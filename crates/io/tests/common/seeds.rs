@@ -127,6 +127,14 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
     {
         seeds.push((name.into(), super::las::file(format, 40, chunk)));
     }
+    for (format, count, name) in [(1, 30, "times1.laz"), (6, 60, "times6.laz")] {
+        let times: Vec<f64> =
+            (0..count).map(|i| [3e5, -7e3, 1e-3][i / 3 % 3] + (i / 9) as f64 * 1e-4).collect();
+        let records = super::gps::with_times(format, &times);
+        seeds.push((name.into(), super::las::file_of(format, records, Some(20), None)));
+    }
+    seeds.push(("changes6.laz".into(), super::gps::layered(4)));
+    seeds.push(("changes1.laz".into(), super::gps::pointwise(vec![0, 4, 1, 2, 0, 3])));
     let mut expe =
         b"[Expe/PointSet/Binary/0.1]\nproperty position 12\nproperty color 4\nnofpoints 3\ndata\n".to_vec();
     expe.resize(expe.len() + 48, 0x3f);
