@@ -72,6 +72,7 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
         seeds.push((format!("lines.{format}"), bytes));
     }
     let text = [
+        ("lines.off", "OFF\n4 2 0\n0 0\n0 1 0 0\n0 1 0 0 0 1\n3 0 1 2 3 0 1 3\n"),
         ("seed.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n"),
         (
             "seed.stl",
@@ -114,6 +115,8 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
     let mut npy = b"\x93NUMPY\x01\x00".to_vec();
     npy.extend((header.len() as u16).to_le_bytes());
     npy.extend(header.as_bytes());
+    let half = header.replace("f4", "f2");
+    seeds.push(("half.npy".into(), [&npy[..10], half.as_bytes(), &[0; 24]].concat()));
     npy.resize(npy.len() + 48, 0);
     seeds.push(("seed.npy".into(), npy));
     for (index, codec) in super::parquet::codecs().into_iter().enumerate() {
