@@ -23,7 +23,8 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     out.cloud.positions.reserve_exact(room(source, vertices, 6));
     let first = if vertices > 0 { next(source)? } else { None };
     let width = first.as_ref().map_or(3, |line| tokens(line).count());
-    let rest = if (3..=WIDEST).contains(&width) {
+    let by_line = (3..=WIDEST).contains(&width);
+    let rest = if by_line {
         lines(source, options, vertices, first, &mut out)?
     } else {
         running(source, options, vertices, first, &mut out)?
@@ -37,7 +38,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
             out.cut(source, options, "faces", faces, there)?;
             break;
         };
-        there += if width < 3 || width > WIDEST { faces_on(&line) } else { 1 };
+        there += if by_line { 1 } else { faces_on(&line) };
     }
     if faces > 0 {
         out.ignored.push(format!("{faces} faces"));
