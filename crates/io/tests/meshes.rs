@@ -87,7 +87,7 @@ fn off_may_run_on_without_regard_to_lines() {
         assert_eq!(scan.cloud.positions, points, "{text}");
         assert_eq!(scan.ignored, ["2 faces"]);
     }
-    let cut = from_bytes(uneven[..40].as_bytes(), "cut.off", &options()).unwrap_err().to_string();
+    let cut = from_bytes(&uneven.as_bytes()[..40], "cut.off", &options()).unwrap_err().to_string();
     assert!(cut.contains("of 5 vertices"), "{cut}");
     // Six numbers may be two vertices, or one with a normal: they are one, and the message says so.
     let six = "OFF\n4 1 0\n0 0 0 1 0 0\n0 1 0 0 0 1\n3 0 1 2\n";
