@@ -5,7 +5,8 @@ use common::gps::{layered, place, pointwise, with_times};
 use common::las::{file_of, length};
 use common::{example, from_bytes};
 use lineament::{Attribute, Column};
-use lineament_io::ReadOptions;
+use lineament_io::{ReadOptions, read_from};
+use std::io::Cursor;
 use std::process::Command;
 
 /// A damaged file of three kilobytes. In a process of its own, since a full stack ends the process.
@@ -40,6 +41,31 @@ fn some_changes_in_a_row_are_read() {
         let error = from_bytes(&layered(changes), "more.laz", &ReadOptions::default()).unwrap_err();
         assert!(error.to_string().contains("change their sequence"), "{error}");
     }
+}
+
+/// A wrong value for each byte of the packed points.
+#[test]
+fn any_change_of_a_byte_is_read_or_refused() {
+    let (mut read, mut refused) = (0, 0);
+    let packed = |format| file_of(format, with_times(format, &times(40)), Some(30), None);
+    for file in [packed(1), packed(6), packed(7), layered(4), pointwise(vec![0, 4, 1, 2, 0, 3])] {
+        let points_at = u32::from_le_bytes(file[96..100].try_into().unwrap()) as usize;
+        for at in points_at..file.len() {
+            let mut changed = file.clone();
+            changed[at] ^= [0x01, 0x80, 0xff][at % 3];
+            match read_from(Box::new(Cursor::new(changed)), "changed.laz", &ReadOptions::default()) {
+                Ok(scan) => {
+                    assert!(scan.cloud.attributes.iter().all(|a| a.values.len() == scan.cloud.len()));
+                    read += 1;
+                }
+                Err(error) => {
+                    assert!(error.to_string().contains("byte "), "{error}");
+                    refused += 1;
+                }
+            }
+        }
+    }
+    assert!(read > 300 && refused > 300, "{read} read, {refused} refused");
 }
 
 /// Numbers that look random.
