@@ -4,6 +4,8 @@
 mod copc;
 #[path = "../../crates/io/tests/common/e57.rs"]
 mod e57;
+#[path = "../../crates/io/tests/common/gps.rs"]
+mod gps;
 #[path = "../../crates/io/tests/common/las.rs"]
 mod las;
 #[path = "../../crates/io/tests/common/parquet.rs"]

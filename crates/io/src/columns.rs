@@ -1,5 +1,6 @@
 //! Number types of files and the columns that their values go into.
 
+use crate::half;
 use lineament::Column;
 use rayon::prelude::*;
 
@@ -14,6 +15,8 @@ pub(crate) enum Scalar {
     U32,
     I64,
     U64,
+    /// Half precision; columns hold it as `f32`.
+    F16,
     F32,
     F64,
 }
@@ -50,7 +53,7 @@ impl Scalar {
     pub fn size(self) -> usize {
         match self {
             Scalar::I8 | Scalar::U8 => 1,
-            Scalar::I16 | Scalar::U16 => 2,
+            Scalar::I16 | Scalar::U16 | Scalar::F16 => 2,
             Scalar::I32 | Scalar::U32 | Scalar::F32 => 4,
             Scalar::I64 | Scalar::U64 | Scalar::F64 => 8,
         }
@@ -58,7 +61,7 @@ impl Scalar {
 
     /// Whether values are integers.
     pub fn is_integer(self) -> bool {
-        !matches!(self, Scalar::F32 | Scalar::F64)
+        !matches!(self, Scalar::F16 | Scalar::F32 | Scalar::F64)
     }
 
     /// An empty column of this type with room for `capacity` values.
@@ -72,7 +75,7 @@ impl Scalar {
             Scalar::U32 => Column::U32(Vec::with_capacity(capacity)),
             Scalar::I64 => Column::I64(Vec::with_capacity(capacity)),
             Scalar::U64 => Column::U64(Vec::with_capacity(capacity)),
-            Scalar::F32 => Column::F32(Vec::with_capacity(capacity)),
+            Scalar::F16 | Scalar::F32 => Column::F32(Vec::with_capacity(capacity)),
             Scalar::F64 => Column::F64(Vec::with_capacity(capacity)),
         }
     }
@@ -104,6 +107,7 @@ impl Scalar {
             Scalar::U32 => number::<u32>(bytes, endian).into(),
             Scalar::I64 => number::<i64>(bytes, endian).to_f64(),
             Scalar::U64 => number::<u64>(bytes, endian).to_f64(),
+            Scalar::F16 => number::<Half>(bytes, endian).to_f64(),
             Scalar::F32 => number::<f32>(bytes, endian).into(),
             Scalar::F64 => number::<f64>(bytes, endian),
         }
@@ -128,6 +132,7 @@ impl Scalar {
             Scalar::U32 => axis_of::<u32>(rows, stride, offset, endian, out, axis),
             Scalar::I64 => axis_of::<i64>(rows, stride, offset, endian, out, axis),
             Scalar::U64 => axis_of::<u64>(rows, stride, offset, endian, out, axis),
+            Scalar::F16 => axis_of::<Half>(rows, stride, offset, endian, out, axis),
             Scalar::F32 => axis_of::<f32>(rows, stride, offset, endian, out, axis),
             Scalar::F64 => axis_of::<f64>(rows, stride, offset, endian, out, axis),
         }
@@ -137,6 +142,23 @@ impl Scalar {
 /// Appends field `offset` of every row (`stride` bytes each) of `rows` to a column of the field's type.
 pub(crate) fn append(column: &mut Column, rows: &[u8], stride: usize, offset: usize, endian: Endian) {
     each_column!(column, values => extend(values, rows, stride, offset, endian));
+}
+
+/// Appends a field of this type, which may be one that the column holds as another.
+pub(crate) fn append_as(
+    kind: Scalar,
+    column: &mut Column,
+    rows: &[u8],
+    stride: usize,
+    offset: usize,
+    endian: Endian,
+) {
+    match (kind, column) {
+        (Scalar::F16, Column::F32(values)) => {
+            each_row(values, rows, stride, |row| number::<Half>(&row[offset..], endian).single());
+        }
+        (_, column) => append(column, rows, stride, offset, endian),
+    }
 }
 
 fn extend<T: Number>(values: &mut Vec<T>, rows: &[u8], stride: usize, offset: usize, endian: Endian) {
@@ -170,11 +192,14 @@ pub(crate) fn append_points(
     (kind, offsets): (Scalar, [usize; 3]),
     endian: Endian,
 ) {
+    if kind == Scalar::F16 {
+        return points_like::<Half>(&[], points, rows, stride, offsets, endian);
+    }
     each_column!(&kind.column(0), values => points_like(values, points, rows, stride, offsets, endian));
 }
 
 /// Points from fields of the type of `_kind`.
-fn points_like<T: Number>(
+fn points_like<T: Stored>(
     _kind: &[T],
     points: &mut Vec<[f64; 3]>,
     rows: &[u8],
@@ -230,20 +255,24 @@ pub(crate) fn capacity(column: &Column) -> usize {
 }
 
 /// A number of fixed size in a file.
-pub(crate) trait Number: Copy + Send {
+pub(crate) trait Stored: Copy + Send {
     /// From little or big endian bytes; 0 if they are too few.
     fn from_bytes(bytes: &[u8], endian: Endian) -> Self;
-    /// As little endian bytes.
-    fn put(self, out: &mut Vec<u8>);
     /// As f64, rounded where it does not fit.
     fn to_f64(self) -> f64;
+}
+
+/// A number that columns hold too.
+pub(crate) trait Number: Stored {
+    /// As little endian bytes.
+    fn put(self, out: &mut Vec<u8>);
     /// From f64, if the type holds that value; f32 rounds.
     fn narrow(value: f64) -> Option<Self>;
 }
 
 macro_rules! numbers {
     ($narrow:ident: $($t:ty)*) => {$(
-        impl Number for $t {
+        impl Stored for $t {
             #[inline]
             fn from_bytes(bytes: &[u8], endian: Endian) -> Self {
                 match (bytes.first_chunk(), endian) {
@@ -252,12 +281,14 @@ macro_rules! numbers {
                     (None, _) => <$t>::default(),
                 }
             }
-            fn put(self, out: &mut Vec<u8>) {
-                out.extend_from_slice(&self.to_le_bytes());
-            }
             #[inline]
             fn to_f64(self) -> f64 {
                 self as f64
+            }
+        }
+        impl Number for $t {
+            fn put(self, out: &mut Vec<u8>) {
+                out.extend_from_slice(&self.to_le_bytes());
             }
             fn narrow(value: f64) -> Option<Self> {
                 let narrowed = value as $t;
@@ -280,12 +311,31 @@ fn rounded(_: f64, _: f64) -> bool {
 numbers!(same: i8 u8 i16 u16 i32 u32 i64 u64);
 numbers!(rounded: f32 f64);
 
+/// The bits of a number of half precision.
+#[derive(Clone, Copy)]
+struct Half(u16);
+
+impl Half {
+    fn single(self) -> f32 {
+        half::single(self.0)
+    }
+}
+
+impl Stored for Half {
+    fn from_bytes(bytes: &[u8], endian: Endian) -> Self {
+        Half(u16::from_bytes(bytes, endian))
+    }
+    fn to_f64(self) -> f64 {
+        self.single().into()
+    }
+}
+
 #[inline]
-fn number<T: Number>(bytes: &[u8], endian: Endian) -> T {
+fn number<T: Stored>(bytes: &[u8], endian: Endian) -> T {
     T::from_bytes(bytes, endian)
 }
 
-fn axis_of<T: Number>(
+fn axis_of<T: Stored>(
     rows: &[u8],
     stride: usize,
     offset: usize,

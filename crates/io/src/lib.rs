@@ -15,6 +15,7 @@
 mod columns;
 mod error;
 mod format;
+mod half;
 mod number;
 mod output;
 mod quiet;

@@ -151,9 +151,11 @@ fn points_of_an_archive_are_found_by_name_by_shape_or_as_three_arrays() {
     let six = || floats(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
     let pair = |a, b| floats(&[a, b]);
     let expected = [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]];
+    let halves = [0x3c00u16, 0x4000, 0x4200, 0x4400, 0x4500, 0x4600].map(u16::to_le_bytes).concat();
     let mut cases = vec![
         archive(&[("normals", "<f4", "2, 3", six()), ("points", "<f4", "2, 3", six())]),
         archive(&[("cloud", "<f4", "2, 3", six()), ("label", "|u1", "2,", vec![7, 8])]),
+        archive(&[("half", "<f2", "2, 3", halves), ("label", "<f2", "2,", vec![0, 0x3e, 0, 0xbe])]),
         archive(&[
             ("x", "<f4", "2,", pair(1.0, 4.0)),
             ("z", "<f4", "2,", pair(3.0, 6.0)),
@@ -165,6 +167,7 @@ fn points_of_an_archive_are_found_by_name_by_shape_or_as_three_arrays() {
     }
     let labelled = read(&cases[1]);
     assert_eq!(labelled.cloud.attributes[0].values, Column::U8(vec![7, 8]));
+    assert_eq!(read(&cases[2]).cloud.attributes[0].values, Column::F32(vec![1.5, -1.5]));
     assert_eq!(read(&cases[0]).cloud.attributes[2].name, "normals_2");
     cases = vec![
         archive(&[("a", "<f4", "2, 3", six()), ("b", "<f4", "2, 3", six())]),

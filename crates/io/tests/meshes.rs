@@ -71,6 +71,30 @@ fn off_gives_its_vertices() {
     }
 }
 
+/// Its numbers are words with white space between: where the lines show no order, their order alone counts.
+#[test]
+fn off_may_run_on_without_regard_to_lines() {
+    let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.5], [0.0, 1.0, 0.0], [2.0, 2.0, 2.0], [3.0, 1.0, 4.0]];
+    let numbers = "0 0 0 1 0 .5 0 1 0 2 2 2 3 1 4";
+    let one_each = format!("OFF 5 2 0\n{} 3 0 1 2 3 0 1 4\n", numbers)
+        .replace(' ', "\n")
+        .replace("OFF\n5\n2\n", "OFF 5 2 ");
+    let one_line = format!("OFF\n5 2 0\n{numbers}\n3 0 1 2 3 0 1 4\n");
+    let uneven = "OFF\n5 2 0\n0 0\n0 1 0 .5 # comment\n0 1 0 2 2\n2 3 1 4 3 0 1 2\n3 0 1 4";
+    for text in [one_each.as_str(), one_line.as_str(), uneven] {
+        let scan =
+            from_bytes(text.as_bytes(), "part.off", &options()).unwrap_or_else(|e| panic!("{text}: {e}"));
+        assert_eq!(scan.cloud.positions, points, "{text}");
+        assert_eq!(scan.ignored, ["2 faces"]);
+    }
+    let cut = from_bytes(&uneven.as_bytes()[..40], "cut.off", &options()).unwrap_err().to_string();
+    assert!(cut.contains("of 5 vertices"), "{cut}");
+    // Six numbers may be two vertices, or one with a normal: they are one, and the message says so.
+    let six = "OFF\n4 1 0\n0 0 0 1 0 0\n0 1 0 0 0 1\n3 0 1 2\n";
+    let error = from_bytes(six.as_bytes(), "six.off", &options()).unwrap_err().to_string();
+    assert!(error.contains("3 of 4 vertices (lines of 6 numbers)"), "{error}");
+}
+
 #[test]
 fn a_cut_off_is_an_error() {
     for (cut, expected) in [("3 0 1 2\n", "0 of 1 faces"), ("0 1 0 255 0 0\n3 0 1 2\n", "2 of 3 vertices")] {
@@ -105,6 +129,25 @@ fn npy_arrays_are_read_in_either_order_and_endianness() {
         );
         assert_eq!(scan.cloud.attributes[0].name, "column_4");
     }
+}
+
+#[test]
+fn npy_arrays_of_half_precision_are_read() {
+    // 1, -2, 0.5, 65504, the least above zero, infinity, 0, -0.
+    let halves = [0x3c00u16, 0xc000, 0x3800, 0x7bff, 0x0001, 0x7c00, 0, 0x8000];
+    let rows: Vec<u8> = halves.into_iter().flat_map(u16::to_le_bytes).collect();
+    let columns: Vec<u8> =
+        [0, 4, 1, 5, 2, 6, 3, 7].into_iter().flat_map(|i: usize| halves[i].to_be_bytes()).collect();
+    for file in [npy("'<f2'", "False", "(2, 4)", &rows), npy("'>f2'", "True", "(2, 4)", &columns)] {
+        let cloud = from_bytes(&file, "a.npy", &options()).unwrap().cloud;
+        assert_eq!(cloud.positions, [[1.0, -2.0, 0.5], [2f64.powi(-24), f64::INFINITY, 0.0]]);
+        assert_eq!(cloud.attributes[0].values, Column::F32(vec![65504.0, -0.0]));
+    }
+    let descr = "[('x', '<f2'), ('y', '<f2'), ('w', '<f2'), ('z', '<f8')]";
+    let data = [&rows[..6], &7f64.to_le_bytes(), &rows[6..12], &8f64.to_le_bytes()].concat();
+    let cloud = from_bytes(&npy(descr, "False", "(2,)", &data), "a.npy", &options()).unwrap().cloud;
+    assert_eq!(cloud.positions, [[1.0, -2.0, 7.0], [65504.0, 2f64.powi(-24), 8.0]]);
+    assert_eq!(cloud.attributes[0].values, Column::F32(vec![0.5, f32::INFINITY]));
 }
 
 #[test]
@@ -157,7 +200,7 @@ fn npy_claims_are_compared_with_the_bytes() {
         }
     }
     for (descr, shape) in [
-        ("'<f2'", "(2, 3)"),
+        ("'<f16'", "(2, 3)"),
         ("'<f4'", "(6,)"),
         ("'<f4'", "(3, 2)"),
         ("'|O'", "(2, 3)"),

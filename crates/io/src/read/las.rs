@@ -3,11 +3,13 @@
 
 mod chunks;
 mod copc;
+mod gps;
 mod header;
 mod laz;
+mod median;
+mod point14;
 pub(crate) mod points;
 mod records;
-mod watched;
 
 use super::rows::{Grid, Table, room};
 use super::{Decoded, ReadOptions};

@@ -3,7 +3,7 @@
 
 use super::rows::{Field, Table, room};
 use super::{Decoded, ReadOptions};
-use crate::columns::{Endian, Scalar, append};
+use crate::columns::{Endian, Scalar, append_as};
 use crate::error::Error;
 use crate::source::Source;
 use lineament::Column;
@@ -164,6 +164,7 @@ fn quoted(text: &str) -> Option<&str> {
 fn scalar(descr: &str) -> Result<(Scalar, Endian), String> {
     let endian = if descr.starts_with('>') { Endian::Big } else { Endian::Little };
     let kind = match descr.trim_start_matches(['<', '>', '=', '|']) {
+        "f2" => Scalar::F16,
         "f4" => Scalar::F32,
         "f8" => Scalar::F64,
         "i1" => Scalar::I8,
@@ -247,10 +248,12 @@ pub(super) fn arrays(source: &mut Source, header: &Header) -> Result<Option<Vec<
             }
             let bytes = &here[..some * stride];
             if header.column_major {
-                append(&mut columns[pass], bytes, stride, 0, header.endian);
+                append_as(header.fields[pass].kind, &mut columns[pass], bytes, stride, 0, header.endian);
             } else {
                 let filled = columns.iter_mut().zip(&header.fields);
-                filled.for_each(|(column, f)| append(column, bytes, stride, f.offset, header.endian));
+                filled.for_each(|(column, f)| {
+                    append_as(f.kind, column, bytes, stride, f.offset, header.endian)
+                });
             }
             source.consume(some * stride);
             row += some as u64;
@@ -281,7 +284,7 @@ fn columns(source: &mut Source, header: &Header, table: &mut Table) -> Result<u6
                 field.kind.fill_axis(bytes, size, 0, header.endian, &mut table.positions[row..], axis);
             }
             if let Some((_, attribute)) = table.columns.iter_mut().find(|(field, _)| *field == index) {
-                append(&mut attribute.values, bytes, size, 0, header.endian);
+                append_as(field.kind, &mut attribute.values, bytes, size, 0, header.endian);
             }
             source.consume(some * size);
             row += some;

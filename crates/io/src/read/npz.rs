@@ -2,8 +2,9 @@
 //! z, or three arrays called x, y and z. Every other array with a row a point becomes attributes.
 
 use super::npy::{self, Header};
+use super::rows::Field;
 use super::{Decoded, ReadOptions, limit};
-use crate::columns::get;
+use crate::columns::{Scalar, get};
 use crate::error::{Error, Place};
 use crate::source::{Shared, Source};
 use crate::zip::{self, Entry};
@@ -37,7 +38,8 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         is_point || options.attributes && array.header.rows == rows
     });
     out.ignored.extend(other.iter().map(|(_, a)| format!("array `{}` of {} rows", a.name, a.header.rows)));
-    let row_bytes = kept.iter().map(|(_, a)| a.header.stride).sum::<usize>() + 24;
+    let held = |field: &Field| Scalar::of(&field.kind.column(0)).size();
+    let row_bytes = kept.iter().flat_map(|(_, a)| &a.header.fields).map(held).sum::<usize>() + 24;
     limit::check(source, options, rows, row_bytes)?;
     let mut columns = Vec::new();
     for (index, array) in kept {

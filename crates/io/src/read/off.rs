@@ -12,45 +12,136 @@ pub(crate) fn is_keyword(word: &[u8]) -> bool {
     word.strip_suffix(b"OFF").is_some_and(|prefix| prefix.iter().all(|b| b"STCN4n".contains(b)))
 }
 
+/// Numbers that may stand on the line of a vertex: coordinates, normal, colour and two more for texture.
+const WIDEST: usize = 12;
+
 /// Reads an OFF input.
 pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
     source.detect_terminator()?;
     let [vertices, faces] = header(source)?;
     let mut out = Decoded::default();
     out.cloud.positions.reserve_exact(room(source, vertices, 6));
-    let mut longest = 0;
-    for row in 0..vertices {
-        let Some(line) = next(source)? else {
-            out.cut(source, options, "vertices", vertices, row)?;
-            return Ok(out);
-        };
-        match vertex(&line) {
-            Ok((point, more)) => {
-                out.cloud.positions.push(point);
-                longest = longest.max(more);
-            }
-            Err(_) if options.salvage && source.peek(1)?.is_empty() => {
-                out.cut(source, options, "vertices", vertices, row)?;
-                return Ok(out);
-            }
-            Err(found) => {
-                return Err(source.malformed_line(format!("vertex {row}: {found}"), "expected X Y Z"));
-            }
-        }
+    let first = if vertices > 0 { next(source)? } else { None };
+    let width = first.as_ref().map_or(3, |line| tokens(line).count());
+    let by_line = (3..=WIDEST).contains(&width);
+    let rest = if by_line {
+        lines(source, options, vertices, first, &mut out)?
+    } else {
+        running(source, options, vertices, first, &mut out)?
+    };
+    if out.missing.is_some() {
+        return Ok(out);
     }
-    for face in 0..faces {
-        if next(source)?.is_none() {
-            out.cut(source, options, "faces", faces, face)?;
+    let mut there = rest.map_or(0, |line| faces_on(&line));
+    while there < faces {
+        let Some(line) = next(source)? else {
+            out.cut(source, options, "faces", faces, there)?;
             break;
-        }
+        };
+        there += if by_line { 1 } else { faces_on(&line) };
     }
     if faces > 0 {
         out.ignored.push(format!("{faces} faces"));
     }
+    Ok(out)
+}
+
+/// Reads vertices that have a line each, with what stands beside them.
+fn lines(
+    source: &mut Source,
+    options: &ReadOptions,
+    vertices: u64,
+    first: Option<Vec<u8>>,
+    out: &mut Decoded,
+) -> Result<Option<Vec<u8>>, Error> {
+    let (mut ahead, mut longest, mut width) = (first, 0, 0);
+    for row in 0..vertices {
+        let line = match ahead.take() {
+            Some(line) => Some(line),
+            None => next(source)?,
+        };
+        let read = line.as_ref().map(|line| vertex(line));
+        let last = options.salvage && source.peek(1)?.is_empty();
+        match read {
+            Some(Ok((point, more))) => {
+                out.cloud.positions.push(point);
+                (longest, width) = (longest.max(more), if row == 0 { 3 + more } else { width });
+            }
+            Some(Err(found)) if !last => {
+                return Err(source.malformed_line(format!("vertex {row}: {found}"), advice(width)));
+            }
+            _ => {
+                out.cut(source, options, &unit(width), vertices, row)?;
+                return Ok(None);
+            }
+        }
+    }
     if longest > 0 {
         out.ignored.push(format!("{longest} numbers beside the coordinates of vertices"));
     }
-    Ok(out)
+    Ok(None)
+}
+
+/// What is missing, and what is expected, where the first line of vertices has so many numbers: several vertices on a
+/// line cannot be told from one with a normal or a colour.
+fn unit(width: usize) -> String {
+    if width > 3 { format!("vertices (lines of {width} numbers)") } else { "vertices".into() }
+}
+
+fn advice(width: usize) -> String {
+    if width > 3 {
+        format!(
+            "expected X Y Z on a line of its own; the first has {width} numbers, which counts as one vertex"
+        )
+    } else {
+        "expected X Y Z".into()
+    }
+}
+
+/// Reads vertices whose numbers follow each other with no regard to lines. Gives what stands behind the last on its line.
+fn running(
+    source: &mut Source,
+    options: &ReadOptions,
+    vertices: u64,
+    first: Option<Vec<u8>>,
+    out: &mut Decoded,
+) -> Result<Option<Vec<u8>>, Error> {
+    let (mut ahead, mut point, mut axis, mut row) = (first, [0.0; 3], 0, 0);
+    loop {
+        let Some(line) = (if ahead.is_some() { ahead.take() } else { next(source)? }) else {
+            out.cut(source, options, "vertices", vertices, row)?;
+            return Ok(None);
+        };
+        let mut words = tokens(&line);
+        while row < vertices
+            && let Some(word) = words.next()
+        {
+            let Some(value) = parse(word) else {
+                let found = format!("vertex {row}: coordinate {}", shown(word));
+                return Err(source.malformed_line(found, "expected three numbers for each vertex"));
+            };
+            point[axis] = value;
+            axis = (axis + 1) % 3;
+            if axis == 0 {
+                out.cloud.positions.push(point);
+                row += 1;
+            }
+        }
+        if row == vertices {
+            return Ok(Some(words.collect::<Vec<_>>().join(&b' ')));
+        }
+    }
+}
+
+/// Faces on a line: each a count and as many indices, the last perhaps with a colour or with its end on the next line.
+fn faces_on(line: &[u8]) -> u64 {
+    let words: Vec<&[u8]> = tokens(line).collect();
+    let (mut at, mut count) = (0, 0);
+    while let Some(corners) = words.get(at).and_then(|word| integer(word)) {
+        at = at.saturating_add(1).saturating_add(usize::try_from(corners).unwrap_or(usize::MAX));
+        count += u64::from(count == 0 || at <= words.len());
+    }
+    count
 }
 
 /// The numbers of vertices and faces.
@@ -95,7 +186,7 @@ fn vertex(line: &[u8]) -> Result<([f64; 3], usize), String> {
     let mut point = [0.0; 3];
     let mut words = tokens(line);
     for value in &mut point {
-        let word = words.next().ok_or("less than three numbers")?;
+        let word = words.next().ok_or("fewer than three numbers")?;
         *value = parse(word).ok_or_else(|| format!("coordinate {}", shown(word)))?;
     }
     Ok((point, words.count()))

@@ -4,7 +4,7 @@ mod parts;
 
 pub(crate) use parts::Part;
 
-use crate::columns::{Endian, Number, SHARED, Scalar, append, append_points, push, truncate};
+use crate::columns::{Endian, SHARED, Scalar, Stored, append_as, append_points, push, truncate};
 use crate::error::Error;
 use crate::source::Source;
 use lineament::{Attribute, Cloud};
@@ -116,7 +116,8 @@ impl Table {
             }
         }
         for (index, attribute) in &mut self.columns {
-            append(&mut attribute.values, bytes, stride, fields[*index].offset, endian);
+            let Field { offset, kind } = fields[*index];
+            append_as(kind, &mut attribute.values, bytes, stride, offset, endian);
         }
     }
 

@@ -56,7 +56,7 @@ fn descr(kind: Scalar) -> &'static str {
         Scalar::U32 => "<u4",
         Scalar::I64 => "<i8",
         Scalar::U64 => "<u8",
-        Scalar::F32 => "<f4",
+        Scalar::F16 | Scalar::F32 => "<f4",
         Scalar::F64 => "<f8",
     }
 }

@@ -68,7 +68,7 @@ fn schema(table: &PointTable) -> Result<TypePtr> {
 /// A column that has no nulls.
 fn field(name: &str, kind: Scalar) -> Result<Type> {
     let (physical, integer) = match kind {
-        Scalar::F32 => (Physical::FLOAT, None),
+        Scalar::F16 | Scalar::F32 => (Physical::FLOAT, None),
         Scalar::F64 => (Physical::DOUBLE, None),
         Scalar::I64 => (Physical::INT64, Some((64, true))),
         Scalar::U64 => (Physical::INT64, Some((64, false))),

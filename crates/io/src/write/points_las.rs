@@ -206,7 +206,7 @@ fn descriptions(extras: &[Extra]) -> Vec<u8> {
             Scalar::I32 => 6,
             Scalar::U64 => 7,
             Scalar::I64 => 8,
-            Scalar::F32 => 9,
+            Scalar::F16 | Scalar::F32 => 9,
             Scalar::F64 => 10,
         };
         for (slot, byte) in one[4..36].iter_mut().zip(extra.name.bytes()) {

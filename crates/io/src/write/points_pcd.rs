@@ -13,7 +13,7 @@ pub(super) fn write(out: &mut dyn Write, table: &PointTable) -> io::Result<()> {
         names.iter().fold(format!("{first} {first} {first}"), |line, entry| line + " " + &of(entry))
     };
     let kind = |kind: Scalar| match kind {
-        Scalar::F32 | Scalar::F64 => "F",
+        Scalar::F16 | Scalar::F32 | Scalar::F64 => "F",
         Scalar::I8 | Scalar::I16 | Scalar::I32 | Scalar::I64 => "I",
         _ => "U",
     };

@@ -35,7 +35,7 @@ fn type_name(kind: Scalar) -> &'static str {
         Scalar::U16 => "ushort",
         Scalar::I32 => "int",
         Scalar::U32 => "uint",
-        Scalar::F32 => "float",
+        Scalar::F16 | Scalar::F32 => "float",
         Scalar::F64 | Scalar::I64 | Scalar::U64 => "double",
     }
 }

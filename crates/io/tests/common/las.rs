@@ -7,8 +7,8 @@ const LENGTHS: [usize; 11] = [20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67];
 const EXTRA: usize = 5;
 
 /// Records that vary as scans do: a walk in the plane, with other fields that repeat.
-fn records(format: u8, count: usize) -> Vec<u8> {
-    let length = LENGTHS[usize::from(format)] + EXTRA;
+pub fn records(format: u8, count: usize) -> Vec<u8> {
+    let length = length(format);
     let mut bytes = vec![0u8; length * count];
     for (i, row) in bytes.chunks_exact_mut(length).enumerate() {
         let point = [i as i32 * 7 - 100, (i as i32 % 13) * -5, i as i32 % 3];
@@ -52,18 +52,32 @@ fn extra_bytes() -> Vec<u8> {
     vlr("LASF_Spec", 4, &data)
 }
 
+/// Bytes of a record.
+pub fn length(format: u8) -> usize {
+    LENGTHS[usize::from(format)] + EXTRA
+}
+
 /// A file of a point format with `count` points and extra bytes, packed in chunks if `chunk` says so.
 pub fn file(format: u8, count: usize, chunk: Option<u32>) -> Vec<u8> {
+    file_of(format, records(format, count), chunk, None)
+}
+
+/// A file of these records, packed with items of another `version` if there is one.
+pub fn file_of(format: u8, mut records: Vec<u8>, chunk: Option<u32>, version: Option<u8>) -> Vec<u8> {
     let header_size = if format < 6 { 227 } else { 375 };
-    let mut records = records(format, count);
+    let length = length(format);
+    let count = records.len() / length;
     let mut vlrs =
         vec![extra_bytes(), vlr("LASF_Projection", 2112, b"PROJCS[\"ETRS89 / UTM zone 32N\",GEOGCS[]]\0")];
-    let length = records.len() / count.max(1);
     let packed = chunk.map(|chunk| {
         let items = LazItemRecordBuilder::default_for_point_format_id(format, EXTRA as u16).unwrap();
         let laz = laz::LazVlrBuilder::new(items).with_fixed_chunk_size(chunk).build();
         let mut data = Vec::new();
         laz.write_to(&mut data).unwrap();
+        let laz = version.map_or(laz, |version| {
+            data[34..].chunks_exact_mut(6).for_each(|item| item[4] = version);
+            LazVlr::from_buffer(&data).unwrap()
+        });
         vlrs.push(vlr(LazVlr::USER_ID, LazVlr::RECORD_ID, &data));
         laz
     });

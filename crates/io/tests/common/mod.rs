@@ -7,6 +7,7 @@ use std::path::PathBuf;
 
 pub mod copc;
 pub mod e57;
+pub mod gps;
 pub mod las;
 pub mod parquet;
 mod seeds;

@@ -72,6 +72,7 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
         seeds.push((format!("lines.{format}"), bytes));
     }
     let text = [
+        ("lines.off", "OFF\n4 2 0\n0 0\n0 1 0 0\n0 1 0 0 0 1\n3 0 1 2 3 0 1 3\n"),
         ("seed.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n"),
         (
             "seed.stl",
@@ -114,6 +115,8 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
     let mut npy = b"\x93NUMPY\x01\x00".to_vec();
     npy.extend((header.len() as u16).to_le_bytes());
     npy.extend(header.as_bytes());
+    let half = header.replace("f4", "f2");
+    seeds.push(("half.npy".into(), [&npy[..10], half.as_bytes(), &[0; 24]].concat()));
     npy.resize(npy.len() + 48, 0);
     seeds.push(("seed.npy".into(), npy));
     for (index, codec) in super::parquet::codecs().into_iter().enumerate() {
@@ -127,6 +130,14 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
     {
         seeds.push((name.into(), super::las::file(format, 40, chunk)));
     }
+    for (format, count, name) in [(1, 30, "times1.laz"), (6, 60, "times6.laz")] {
+        let times: Vec<f64> =
+            (0..count).map(|i| [3e5, -7e3, 1e-3][i / 3 % 3] + (i / 9) as f64 * 1e-4).collect();
+        let records = super::gps::with_times(format, &times);
+        seeds.push((name.into(), super::las::file_of(format, records, Some(20), None)));
+    }
+    seeds.push(("changes6.laz".into(), super::gps::layered(4)));
+    seeds.push(("changes1.laz".into(), super::gps::pointwise(vec![0, 4, 1, 2, 0, 3])));
     let mut expe =
         b"[Expe/PointSet/Binary/0.1]\nproperty position 12\nproperty color 4\nnofpoints 3\ndata\n".to_vec();
     expe.resize(expe.len() + 48, 0x3f);

@@ -3,9 +3,10 @@
 
 use super::chunks::{Chunk, at, chunks};
 use super::copc;
+use super::gps::GpsTime;
 use super::header::{Fields, Header, LasFrame, Record};
+use super::point14::Point14;
 use super::records;
-use super::watched::Watched;
 use crate::error::{Error, Place};
 use crate::quiet;
 use crate::read::rows::{Field, Part, Table};
@@ -14,7 +15,7 @@ use crate::source::{Input, Shared, Source};
 use laz::record::{LayeredPointRecordDecompressor, RecordDecompressor, SequentialPointRecordDecompressor};
 use laz::{DecompressionSelection, LazItem, LazItemType, LazVlr};
 use rayon::prelude::*;
-use std::io::{Seek, SeekFrom};
+use std::io::{Cursor, Seek, SeekFrom};
 
 /// Unpacked bytes that are held at a time of a chunk: they go to the table while they are in the cache.
 const STEP: usize = 1 << 17;
@@ -216,19 +217,39 @@ fn layers_fit(bytes: &[u8], packing: &Packing) -> bool {
     total <= (sizes.len() - 4 * packing.layers) as u64
 }
 
-type Unpacker<'a> = Box<dyn RecordDecompressor<Watched> + 'a>;
+type Unpacker = Box<dyn RecordDecompressor<Cursor<Vec<u8>>>>;
 
-/// A decoder of one chunk.
-fn unpacker<'a>(bytes: Vec<u8>, packing: &Packing) -> Result<Unpacker<'a>, String> {
+/// A decoder of one chunk. Fields with GPS times are decoded here, all others by `laz`.
+fn unpacker(bytes: Vec<u8>, packing: &Packing) -> Result<Unpacker, String> {
     if packing.layered && !layers_fit(&bytes, packing) {
         return Err("its layers are longer than it is".into());
     }
-    let mut unpacker: Unpacker = if packing.layered {
-        Box::new(LayeredPointRecordDecompressor::new(Watched::new(bytes)))
-    } else {
-        Box::new(SequentialPointRecordDecompressor::new(Watched::new(bytes)))
-    };
-    unpacker.set_fields_from(&packing.items).map_err(|error| error.to_string())?;
+    let mut unpacker = if packing.layered { layered(bytes, packing) } else { pointwise(bytes, packing) }
+        .map_err(|error| error.to_string())?;
     unpacker.set_selection(packing.selection);
     Ok(unpacker)
+}
+
+fn layered(bytes: Vec<u8>, packing: &Packing) -> laz::Result<Unpacker> {
+    let mut unpacker = LayeredPointRecordDecompressor::new(Cursor::new(bytes));
+    for item in &packing.items {
+        match item.item_type() {
+            LazItemType::Point14 if item.version() <= 4 => {
+                unpacker.add_field_decompressor(Point14::new(item.version()))
+            }
+            _ => unpacker.set_fields_from(&vec![*item])?,
+        }
+    }
+    Ok(Box::new(unpacker))
+}
+
+fn pointwise(bytes: Vec<u8>, packing: &Packing) -> laz::Result<Unpacker> {
+    let mut unpacker = SequentialPointRecordDecompressor::new(Cursor::new(bytes));
+    for item in &packing.items {
+        match (item.item_type(), item.version()) {
+            (LazItemType::GpsTime, 2) => unpacker.add_field_decompressor(GpsTime::default()),
+            _ => unpacker.set_fields_from(&vec![*item])?,
+        }
+    }
+    Ok(Box::new(unpacker))
 }
