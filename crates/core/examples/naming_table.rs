@@ -1,16 +1,17 @@
-//! What the stack of slices names beside what each part has: `cargo run --release --example naming_table -- [PART] [-v] [-q]`.
+//! What the stack of slices names beside what each part has: `cargo run --release --example naming_table -- [PART] [-v] [-q] [-u]`.
 //!
 //! Each part of `tests/naming/parts.rs` is scanned with several seeds and noise levels, turned or not, and cut in several
-//! numbers of slices. A row tells of one part, view and noise: features named, the share of ends and sizes (radii,
-//! apexes) within 0.1 spacing, the worst ones, and what is missing or named for nothing over all its clouds. `-v` tells
-//! of each, `-q` takes one seed.
+//! numbers of slices. A row tells of one part, view and noise: features named, the share of ends within 0.1 spacing,
+//! the worst, the share within twice of what the run states, the share of sizes (radii, apexes) within 0.1 spacing, the
+//! worst, and what is missing or named for nothing over all its clouds. `-v` tells of each, `-q` takes one seed, `-u`
+//! the parts that no method was tried on.
 
 #[path = "../tests/naming/judge.rs"]
 mod judge;
 #[path = "../tests/naming/parts.rs"]
 mod parts;
 
-use judge::{Verdict, judge};
+use judge::{Off, Verdict, judge};
 use lineament::section::{Axis, Planes, SectionParams, section_observed};
 use lineament::shapes::{Sampled, Sampling, Scan};
 use parts::{Part, View};
@@ -56,18 +57,20 @@ fn main() {
     let verbose = arguments.iter().any(|a| a == "-v");
     let quick = arguments.iter().any(|a| a == "-q");
     let wanted = arguments.iter().find(|a| !a.starts_with('-'));
-    let parts: Vec<Part> = parts::parts()
+    let unseen = arguments.iter().any(|a| a == "-u");
+    let parts: Vec<Part> = if unseen { parts::held_out() } else { parts::parts() }
         .into_iter()
         .filter(|p| wanted.is_none_or(|w| p.shape.name.contains(w.as_str())))
         .collect();
     println!(
-        "{:20} {:4} {:5} {:>5} {:>9} {:>7} {:>9} {:>7} {:>7} {:>5} {:>7}",
+        "{:20} {:4} {:5} {:>5} {:>9} {:>7} {:>7} {:>9} {:>7} {:>7} {:>5} {:>7}",
         "part",
         "axis",
         "noise",
         "named",
         "ends<.1h",
         "worst",
+        "stated",
         "sizes<.1h",
         "worst",
         "missing",
@@ -112,7 +115,7 @@ fn row(scans: &[Sampled], view: &View, verbose: bool) -> Sum {
 
 fn tell(verdict: &Verdict, cloud: &str) {
     for (what, off) in [("end", &verdict.ends), ("size", &verdict.sizes)] {
-        for (error, text) in off.iter().filter(|e| e.0.abs() > 0.1) {
+        for Off { error, text, .. } in off.iter().filter(|o| o.error.abs() > 0.1) {
             println!("    seed {cloud}: {what} {error:+.2} at {text}");
         }
     }
@@ -136,14 +139,16 @@ struct Sum {
 struct Share {
     all: usize,
     within: usize,
+    stated: usize,
     worst: f64,
 }
 
 impl Share {
-    fn take(&mut self, errors: &[(f64, String)]) {
-        for (error, _) in errors {
+    fn take(&mut self, offs: &[Off]) {
+        for Off { error, stated, .. } in offs {
             self.all += 1;
             self.within += usize::from(error.abs() <= 0.1);
+            self.stated += usize::from(error.abs() <= 2.0 * stated);
             self.worst = self.worst.max(error.abs());
         }
     }
@@ -151,6 +156,7 @@ impl Share {
     fn add(&mut self, other: Share) {
         self.all += other.all;
         self.within += other.within;
+        self.stated += other.stated;
         self.worst = self.worst.max(other.worst);
     }
 }
@@ -179,14 +185,15 @@ impl Sum {
 
 impl std::fmt::Display for Sum {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let share = |s: Share| if s.all > 0 { s.within as f64 / s.all as f64 } else { 1.0 };
+        let share = |some: usize, s: Share| if s.all > 0 { some as f64 / s.all as f64 } else { 1.0 };
         write!(
             f,
-            "{:5} {:9.3} {:7.2} {:9.3} {:7.2} {:7} {:5} {:>7}",
+            "{:5} {:9.3} {:7.2} {:7.3} {:9.3} {:7.2} {:7} {:5} {:>7}",
             self.named,
-            share(self.ends),
+            share(self.ends.within, self.ends),
             self.ends.worst,
-            share(self.sizes),
+            share(self.ends.stated, self.ends),
+            share(self.sizes.within, self.sizes),
             self.sizes.worst,
             self.missing,
             self.extra,

@@ -37,12 +37,12 @@ fn every_feature_is_named_and_nothing_else() {
     for (view, verdict) in &verdicts {
         assert!(verdict.missing.is_empty(), "{view}: {:?} missing", verdict.missing);
         assert!(verdict.extra.is_empty(), "{view}: {:?} are not there", verdict.extra);
-        for (error, size) in &verdict.sizes {
-            assert!(error.abs() <= 0.25, "{view}: {error} spacings off: {size}");
+        for off in &verdict.sizes {
+            assert!(off.error.abs() <= 0.25, "{view}: {} spacings off: {}", off.error, off.text);
         }
     }
     // What is left: ends at a cut rim or a tangent bore, and folds of chamfers.
-    let ends: Vec<f64> = verdicts.iter().flat_map(|v| &v.1.ends).map(|e| e.0.abs()).collect();
+    let ends: Vec<f64> = verdicts.iter().flat_map(|v| &v.1.ends).map(|e| e.error.abs()).collect();
     let within = ends.iter().filter(|e| **e <= 0.1).count();
     assert!(ends.len() > 150 && within * 100 >= ends.len() * 90, "{within} of {}", ends.len());
 }
