@@ -93,8 +93,9 @@ pub fn slotted_plate() -> Shape {
 fn stadium() -> Vec<[f64; 2]> {
     let (left, right, half) = SLOT;
     let arc = |[x, y]: [f64; 2], from: f64| {
-        (0..=CIRCLE / 2).map(move |i| {
-            let [c, s] = sin_cos(from + f64::from(i) / f64::from(CIRCLE));
+        // Where arc and wall meet, three faces would hold the point.
+        (0..CIRCLE / 2).map(move |i| {
+            let [c, s] = sin_cos(from + (f64::from(i) + 0.5) / f64::from(CIRCLE));
             [x + half * c, y + half * s]
         })
     };

@@ -3,9 +3,11 @@
 //! two slices, and are found in the points there.
 
 mod border;
+mod crest;
 mod face;
 mod fold;
 mod near;
+mod parts;
 mod size;
 
 use rayon::prelude::*;

@@ -66,7 +66,7 @@ impl Search<'_> {
 
 /// The searches for both ends of a run.
 pub(super) fn searches<'a>(
-    Found { run, profiles, .. }: &Found<'a>,
+    found @ Found { run, profiles, .. }: &Found<'a>,
     size: &Size,
     sections: &Sections,
 ) -> [Search<'a>; 2] {
@@ -83,6 +83,8 @@ pub(super) fn searches<'a>(
     let behind = (BEHIND * sections.spacing).min(0.5 * (last - first));
     let upright = matches!(run.feature, Feature::Extrusion { .. });
     let around = AROUND * sections.spacing;
+    // Beside a fold a slice shows a mean of both walls; an extrusion has the same outline in its middle.
+    let [low, high] = if upright { [found.middle(); 2] } else { [low, high] };
     [
         Search { outline: low, inner: first, outer: below, behind, around, upright },
         Search { outline: high, inner: last, outer: above, behind, around, upright },
@@ -208,9 +210,10 @@ impl<'a> Ground<'a> {
     }
 }
 
-/// Whether a point lies within an outline that closes towards its end: a slanted wall goes on there.
+/// Whether a point lies within an outline: the whole of a face or a bore tells where it lies, and a slanted wall goes on
+/// there.
 fn inside(search: &Search, p: [f64; 2]) -> bool {
-    !search.upright && nest::contains(search.outline.outline.points(), p)
+    nest::contains(search.outline.outline.points(), p)
 }
 
 /// The apex that a taper runs out to, if points show its wall up to there.
