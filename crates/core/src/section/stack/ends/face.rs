@@ -78,6 +78,9 @@ fn level(search: &Search, cluster: &[Spot], spots: &[Spot], h: f64, noise: f64) 
     }
     let (height, spread) = middle(&cluster.iter().map(|s| s.height).collect::<Vec<_>>());
     let flat = Level { height, spread, count: cluster.len(), bent: false };
+    if spread <= MISFIT.0 * h {
+        return Some(flat);
+    }
     let centre = search.outline.round.map(|r| r.centre).filter(|_| !search.upright);
     let about = centre.and_then(|c| ring(cluster, c)).map(|(z, spread)| (z, spread, cluster.len()));
     let models = [about, crest(cluster, spots, h, noise)].into_iter().flatten();

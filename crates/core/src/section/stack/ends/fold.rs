@@ -23,7 +23,7 @@ const LEVEL: f64 = 0.9976;
 /// Cosine of the angle by which a slanted plane may fall aside.
 const ACROSS: f64 = 0.7;
 /// How far beside an outline planes tell where they meet it, in spacings.
-const BESIDE: f64 = 4.0;
+const BESIDE: f64 = 6.0;
 /// How far the leans of one wall spread, degrees: without noise, and what noise (in spacings) adds.
 const ALIKE_DEG: (f64, f64) = (4.0, 40.0);
 /// How far beyond its level place, in spacings, a curve is followed.
@@ -53,16 +53,17 @@ struct Fitted {
 
 /// The height at which the slanted walls beside an outline meet it.
 pub(super) fn fold(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<End> {
-    let all = meets(search, spots, h, noise);
+    let all = meets(search, search.ahead_of_start(spots), h, noise);
     let width = (0.4 + 2.5 * noise) * h;
-    let straight = straight(&all, width, h, noise);
-    let level = rim(search, spots, h, noise);
+    let forward = (search.outer - search.inner).signum();
+    let straight = straight(&all, width, h, noise).filter(|f| search.holds(search.inner + f.ahead * forward));
+    let level = rim(search, spots, h, noise).filter(|f| search.holds_slow(f.ahead));
     let first = match (straight, level) {
         (Some(a), Some(b)) => Some(if a.ahead < b.ahead - 0.5 * h { a } else { b }),
         (a, b) => a.or(b),
     }?;
-    let height = search.inner + first.ahead * (search.outer - search.inner).signum();
-    search.holds(height).then_some(End { height, error: first.error, by: By::Fold })
+    let height = search.inner + first.ahead * forward;
+    Some(End { height, error: first.error, by: By::Fold })
 }
 
 /// Slanted planes that are clear of their edge, by where they meet the outline.
@@ -120,13 +121,21 @@ fn line(all: &[Meet], ahead: f64, width: f64, noise: f64) -> Option<Fitted> {
     }
     let mut found = None;
     for _ in 0..3 {
+        // Noise moves points across the wall, so that the line is the one of least distances across itself.
         let n = near.len() as f64;
-        let mean = near.iter().map(|m| m.off).sum::<f64>() / n;
-        let [a, k] = least_squares(near.iter().map(|m| ([1.0, m.off], m.own)))?;
-        let rest = |m: &Meet| m.own - a - k * m.off;
+        let mean = |of: &dyn Fn(&Meet) -> f64| near.iter().map(of).sum::<f64>() / n;
+        let (x, y) = (mean(&|m| m.off), mean(&|m| m.own));
+        let xx = mean(&|m| (m.off - x).powi(2));
+        let yy = mean(&|m| (m.own - y).powi(2));
+        let xy = mean(&|m| (m.off - x) * (m.own - y));
+        let (sine, cosine) = (0.5 * (2.0 * xy).atan2(xx - yy)).sin_cos();
+        let rest = |m: &Meet| (m.own - y) * cosine - (m.off - x) * sine;
         let sigma = (near.iter().map(|m| rest(m).powi(2)).sum::<f64>() / (n - 2.0)).sqrt();
-        let wide = near.iter().map(|m| (m.off - mean).powi(2)).sum::<f64>();
-        found = Some(Fitted { ahead: a, error: sigma * (1.0 / n + mean * mean / wide).sqrt() });
+        let wide = n * (xx * cosine * cosine + 2.0 * xy * sine * cosine + yy * sine * sine);
+        // How far along the line the outline lies from the middle of the points.
+        let lever = x / cosine;
+        let error = sigma / cosine * (1.0 / n + lever * lever / wide).sqrt();
+        found = Some(Fitted { ahead: y - x * sine / cosine, error }).filter(|f| f.ahead.is_finite());
         near.retain(|m| rest(m).abs() <= 2.5 * sigma);
         if near.len() < FEWEST {
             break;
@@ -164,8 +173,48 @@ fn curve(search: &Search, group: &[Spot], h: f64, noise: f64) -> Option<Fitted> 
     if reach < RISE * h || !all.iter().all(straight) {
         return None;
     }
-    let place = |m: &Meet| dot(sub(m.foot, origin), way) / reach;
+    // Places along the outline are taken from the level place as it is known.
+    let mut middle = 0.0;
     for round in 0..4 {
+        let place = |m: &Meet| dot(sub(m.foot, origin), way) / reach - middle;
+        let bent = Bent::fit(&all, place)?;
+        let level = -bent.slope / (2.0 * bent.bend);
+        let (least, most) =
+            all.iter().map(place).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), s| (l.min(s), m.max(s)));
+        if !bent.clearly || !(least..=most).contains(&level) {
+            return None;
+        }
+        let ahead = bent.at - bent.slope * bent.slope / (4.0 * bent.bend);
+        if round == 3 {
+            let error = 2.0 * bent.sigma / (all.len() as f64).sqrt() + 0.02 * h;
+            return Some(Fitted { ahead, error });
+        }
+        let near = |m: &Meet| {
+            let s = place(m);
+            bent.at + (bent.slope + bent.bend * s) * s <= ahead + RISE * h
+        };
+        all.retain(|m| bent.rest(m, place(m)).abs() <= 2.5 * bent.sigma && near(m));
+        middle += level;
+    }
+    None
+}
+
+/// A parabola along the outline from which a wall rises, the steeper the farther from the level place.
+struct Bent {
+    at: f64,
+    slope: f64,
+    bend: f64,
+    rise: f64,
+    /// What the rise gains by the squared place.
+    gain: f64,
+    /// Standard deviation about it.
+    sigma: f64,
+    /// Whether it is bent, and away from the run.
+    clearly: bool,
+}
+
+impl Bent {
+    fn fit(all: &[Meet], place: impl Fn(&Meet) -> f64) -> Option<Bent> {
         let n = all.len() as f64;
         if all.len() < 2 * FEWEST {
             return None;
@@ -174,29 +223,23 @@ fn curve(search: &Search, group: &[Spot], h: f64, noise: f64) -> Option<Fitted> 
         let plain = all.iter().map(|m| (m.own - a - k * m.off).powi(2)).sum::<f64>();
         let row = |m: &Meet| {
             let s = place(m);
-            ([1.0, s, s * s, m.off], m.own)
+            ([1.0, s, s * s, m.off, s * s * m.off], m.own)
         };
-        let [a, b, c, k] = least_squares(all.iter().map(row))?;
-        let value = |m: &Meet| a + b * place(m) + c * place(m).powi(2);
-        let rest = |m: &Meet| m.own - value(m) - k * m.off;
-        let left = all.iter().map(|m| rest(m).powi(2)).sum::<f64>();
-        let sigma = (left / (n - 4.0)).sqrt();
+        let [at, slope, bend, rise, gain] = least_squares(all.iter().map(row))?;
+        let mut bent = Bent { at, slope, bend, rise, gain, sigma: 0.0, clearly: false };
+        let left = all.iter().map(|m| bent.rest(m, place(m)).powi(2)).sum::<f64>();
+        bent.sigma = (left / (n - 5.0)).sqrt();
         let squares: Vec<f64> = all.iter().map(|m| place(m).powi(2)).collect();
         let mean = squares.iter().sum::<f64>() / n;
         let power = squares.iter().map(|x| (x - mean).powi(2)).sum::<f64>().sqrt();
-        let level = -b / (2.0 * c);
-        let (least, most) =
-            all.iter().map(place).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), s| (l.min(s), m.max(s)));
-        if !(c > BENT * sigma / power && left <= BETTER * plain && (least..=most).contains(&level)) {
-            return None;
-        }
-        let ahead = a - b * b / (4.0 * c);
-        if round == 3 {
-            return Some(Fitted { ahead, error: 2.0 * sigma / n.sqrt() + 0.02 * h });
-        }
-        all.retain(|m| rest(m).abs() <= 2.5 * sigma && value(m) <= ahead + RISE * h);
+        bent.clearly = bend > BENT * bent.sigma / power && left <= BETTER * plain;
+        Some(bent)
     }
-    None
+
+    /// How far a point at a place lies from it.
+    fn rest(&self, m: &Meet, s: f64) -> f64 {
+        m.own - self.at - (self.slope + self.bend * s) * s - (self.rise + self.gain * s * s) * m.off
+    }
 }
 
 /// Whether a plane falls towards the outline or away from it, and not along it as the flanks of a bore that opens there.
