@@ -1,10 +1,10 @@
-//! What the stack of slices names beside what each part has: `cargo run --release --example naming_table -- [PART] [-v] [-q] [-u]`.
+//! What the stack of slices names beside what each part has: `cargo run --release --example naming_table -- [PART] [-v] [-q] [-u] [-a]`.
 //!
 //! Each part of `tests/naming/parts.rs` is scanned with several seeds and noise levels, turned or not, and cut in several
 //! numbers of slices. A row tells of one part, view and noise: features named, the share of ends within 0.1 spacing,
 //! the worst, the share within twice of what the run states, the share of sizes (radii, apexes) within 0.1 spacing, the
 //! worst, and what is missing or named for nothing over all its clouds. `-v` tells of each, `-q` takes one seed, `-u`
-//! the parts that no method was tried on.
+//! the parts that no method was tried on, `-a` what the two rules for an automatic axis find on turned parts.
 
 #[path = "../tests/naming/judge.rs"]
 mod judge;
@@ -62,6 +62,9 @@ fn main() {
         .into_iter()
         .filter(|p| wanted.is_none_or(|w| p.shape.name.contains(w.as_str())))
         .collect();
+    if arguments.iter().any(|a| a == "-a") {
+        return parts.iter().for_each(automatic);
+    }
     println!(
         "{:20} {:4} {:5} {:>5} {:>9} {:>7} {:>7} {:>9} {:>7} {:>7} {:>5} {:>7}",
         "part",
@@ -94,6 +97,37 @@ fn main() {
         }
     }
     println!("{:31} {total}", "all");
+}
+
+/// Slices a turned part by both rules, and says how far the axis found lies from one that the part has features along,
+/// and what is named there.
+fn automatic(part: &Part) {
+    let scan = Scan::new(Sampling::BlueNoise { count: part.count }).noise(0.1).seed(1);
+    let cloud = part.shape.sample(&scan).map(1.0, turned).cloud;
+    for (rule, axis) in [("principal", Axis::Principal), ("thinnest", Axis::Thinnest)] {
+        let params = SectionParams { axis, planes: Planes::Count(37), fit: true, ..SectionParams::default() };
+        let Ok((sections, stack)) = section_observed(&cloud, &params, &|_| ()) else { continue };
+        let found = sections.frame.axes[2];
+        let cosine = |view: &&View| {
+            let mut unit = [0.0; 3];
+            unit[view.axis] = 1.0;
+            (0..3).map(|k| rotated(unit)[k] * found[k]).sum::<f64>()
+        };
+        let all = part.views.iter();
+        let Some(view) = all.max_by(|a, b| cosine(a).abs().total_cmp(&cosine(b).abs())) else { continue };
+        let off = cosine(&view).abs().min(1.0).acos().to_degrees();
+        print!("{:20} {rule:9} {off:5.2} degrees off {}", part.shape.name, ["x", "y", "z"][view.axis]);
+        let features: Vec<_> = view.features.iter().map(|k| k.along(cosine(&view).signum())).collect();
+        let origin = turned([0.0; 3]);
+        let shift = (0..3).map(|k| origin[k] * found[k]).sum();
+        let verdict = judge(&features, shift, &sections, &stack);
+        println!(
+            ": {} named, {} missing, {} extra",
+            verdict.named,
+            verdict.missing.len(),
+            verdict.extra.len()
+        );
+    }
 }
 
 fn row(scans: &[Sampled], view: &View, verbose: bool) -> Sum {

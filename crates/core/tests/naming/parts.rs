@@ -24,6 +24,23 @@ pub struct Known {
     pub optional: bool,
 }
 
+impl Known {
+    /// The feature along the axis (1), or against it (-1).
+    pub fn along(&self, way: f64) -> Known {
+        if way > 0.0 {
+            return self.clone();
+        }
+        let kind = match self.kind {
+            Kind::Taper(apex, radius) => {
+                let at = |r: f64| r * (apex - self.to) / (apex - self.from);
+                Kind::Taper(-apex, radius.map(at))
+            }
+            other => other,
+        };
+        Known { kind, from: -self.to, to: -self.from, ..self.clone() }
+    }
+}
+
 /// A part seen along one axis.
 pub struct View {
     pub axis: usize,
