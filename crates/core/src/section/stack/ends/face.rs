@@ -13,6 +13,8 @@ const FACE: usize = 8;
 const BETTER: f64 = 0.8;
 /// What it must explain, in shares of one point of the squared spread.
 const CLEARLY: f64 = 12.0;
+/// How many times as many show one of several, which is fitted by itself.
+const PART: usize = 3;
 /// How far apart, in spacings, points of one face lie at most.
 const APART: f64 = 3.0;
 
@@ -52,6 +54,7 @@ fn settled(search: &Search, cluster: &[Spot], spots: &[Spot], h: f64, noise: f64
     let whole = level(search, cluster, spots, h, noise)?;
     let mut levels: Vec<Level> = parts(cluster, |s| s.at, APART * h)
         .iter()
+        .filter(|part| part.len() >= PART * FACE)
         .filter_map(|part| level(search, part, spots, h, noise))
         .collect();
     let several = levels.len() > 1 && {
