@@ -13,6 +13,8 @@ const FACE: usize = 8;
 const BETTER: f64 = 0.8;
 /// What it must explain, in shares of one point of the squared spread.
 const CLEARLY: f64 = 12.0;
+/// How many times as many as seem level by chance show a face.
+const CHANCE: usize = 8;
 /// How many times as many show one of several, which is fitted by itself.
 const PART: usize = 3;
 /// How far apart, in spacings, points of one face lie at most.
@@ -36,17 +38,20 @@ const MISFIT: (f64, f64) = (0.02, 1e-3);
 pub(super) fn face(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<End> {
     let gap = (0.25 + noise) * h;
     let settled = |cluster: &[Spot]| settled(search, cluster, spots, h, noise);
-    let mut cluster: Vec<Spot> = Vec::new();
+    let mut clusters: Vec<Vec<Spot>> = Vec::new();
     for spot in spots.iter().filter(|s| s.flat()) {
-        if cluster.last().is_some_and(|last| (spot.height - last.height).abs() > gap) {
-            if let Some(found) = settled(&cluster) {
-                return Some(found).filter(|e| search.holds(e.height));
+        match clusters.last_mut() {
+            Some(cluster) if cluster.last().is_some_and(|l| (spot.height - l.height).abs() <= gap) => {
+                cluster.push(*spot);
             }
-            cluster.clear();
+            _ => clusters.push(vec![*spot]),
         }
-        cluster.push(*spot);
     }
-    settled(&cluster).filter(|e| search.holds(e.height))
+    // Under noise a few planes beside an edge seem level by chance.
+    let largest = clusters.iter().map(Vec::len).max()?;
+    let shows = |cluster: &&Vec<Spot>| CHANCE * cluster.len() >= largest;
+    let found = clusters.iter().filter(shows).find_map(|cluster| settled(cluster));
+    found.filter(|e| search.holds(e.height))
 }
 
 /// The height of a cluster that is as thin as the noise allows, as a level or as a parabola, or the first of several.

@@ -26,6 +26,8 @@ const ACROSS: f64 = 0.7;
 const BESIDE: f64 = 6.0;
 /// How far the leans of one wall spread, degrees: without noise, and what noise (in spacings) adds.
 const ALIKE_DEG: (f64, f64) = (4.0, 40.0);
+/// Width, in spacings, of the middle two thirds of a wall: planes at a sharp edge lean as well, but no farther from it.
+const WIDE: f64 = 1.5;
 /// How far beyond its level place, in spacings, a curve is followed.
 const RISE: f64 = 3.0;
 /// Standard errors of a bend that make it one, and the share of the squared spread that it may leave.
@@ -159,6 +161,11 @@ fn rim(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<Fitted> {
 fn curve(search: &Search, group: &[Spot], h: f64, noise: f64) -> Option<Fitted> {
     let mut all: Vec<Meet> = group.iter().filter_map(|s| meet(search, s, h, noise)).collect();
     if all.len() < 2 * FEWEST {
+        return None;
+    }
+    all.sort_by(|a, b| a.off.total_cmp(&b.off));
+    let at = |share: f64| all[((all.len() - 1) as f64 * share) as usize].off;
+    if at(0.84) - at(0.16) < WIDE * h {
         return None;
     }
     all.sort_by(|a, b| a.ahead.total_cmp(&b.ahead));
