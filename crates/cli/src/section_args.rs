@@ -10,7 +10,7 @@ use crate::args::{Running, Source};
 pub const SECTION_HELP: &str = "\
 Formats by extension:
   .json     everything found, in the schema lineament-section/1
-  .dxf      lines, arcs and circles, a layer a slice
+  .dxf      lines, arcs and circles, a layer a slice, and the names of holes, extrusions ...
   .svg      a sheet with all slices
   .obj      lines, a group a slice
   .ply      vertices and edges

@@ -6,23 +6,19 @@ mod judge;
 mod parts;
 
 use judge::{Verdict, judge};
-use lineament::section::{Axis, Planes, SectionParams, section_observed};
+use lineament::Cloud;
+use lineament::section::{Axis, Planes, SectionParams, Sections, Stack, section_observed};
 use lineament::shapes::{Sampling, Scan};
+use parts::Part;
 
-/// All parts along all their axes, at one noise and number of slices.
-fn verdicts(noise: f64, count: usize) -> Vec<(String, Verdict)> {
+/// All of some parts along all their axes, at one noise and number of slices.
+fn verdicts(parts: Vec<Part>, noise: f64, count: usize) -> Vec<(String, Verdict)> {
     let mut found = Vec::new();
-    for part in parts::parts() {
+    for part in parts {
         let scan = Scan::new(Sampling::BlueNoise { count: part.count }).noise(noise).seed(1);
         let cloud = part.shape.sample(&scan).cloud;
         for view in &part.views {
-            let params = SectionParams {
-                axis: Axis::Coordinate(view.axis),
-                planes: Planes::Count(count),
-                fit: true,
-                ..SectionParams::default()
-            };
-            let (sections, stack) = section_observed(&cloud, &params, &|_| ()).unwrap();
+            let (sections, stack) = cut(&cloud, Axis::Coordinate(view.axis), count);
             assert!(stack.repeats.len() >= view.repeats, "{}", part.shape.name);
             let verdict = judge(&view.features, 0.0, &sections, &stack);
             found.push((format!("{} along {}", part.shape.name, ["x", "y", "z"][view.axis]), verdict));
@@ -31,18 +27,49 @@ fn verdicts(noise: f64, count: usize) -> Vec<(String, Verdict)> {
     found
 }
 
+fn cut(cloud: &Cloud, axis: Axis, count: usize) -> (Sections, Stack) {
+    let params = SectionParams { axis, planes: Planes::Count(count), fit: true, ..SectionParams::default() };
+    section_observed(cloud, &params, &|_| ()).unwrap()
+}
+
 #[test]
 fn every_feature_is_named_and_nothing_else() {
-    let verdicts = verdicts(0.1, 37);
+    let verdicts = verdicts(parts::parts(), 0.1, 37);
     for (view, verdict) in &verdicts {
         assert!(verdict.missing.is_empty(), "{view}: {:?} missing", verdict.missing);
         assert!(verdict.extra.is_empty(), "{view}: {:?} are not there", verdict.extra);
-        for (error, size) in &verdict.sizes {
-            assert!(error.abs() <= 0.25, "{view}: {error} spacings off: {size}");
+        for off in &verdict.sizes {
+            assert!(off.error.abs() <= 0.25, "{view}: {} spacings off: {}", off.error, off.text);
         }
     }
-    // What is left: ends at a cut rim or a tangent bore, and folds of chamfers.
-    let ends: Vec<f64> = verdicts.iter().flat_map(|v| &v.1.ends).map(|e| e.0.abs()).collect();
-    let within = ends.iter().filter(|e| **e <= 0.1).count();
-    assert!(ends.len() > 150 && within * 100 >= ends.len() * 90, "{within} of {}", ends.len());
+    // What is left: borders, folds and crests under noise.
+    let ends: Vec<_> = verdicts.iter().flat_map(|v| &v.1.ends).collect();
+    let within = ends.iter().filter(|e| e.error.abs() <= 0.1).count();
+    let stated = ends.iter().filter(|e| e.error.abs() <= 2.0 * e.stated).count();
+    assert!(ends.len() > 150 && within * 100 >= ends.len() * 95, "{within} of {}", ends.len());
+    assert!(stated * 100 >= ends.len() * 85, "{stated} of {} within what is stated", ends.len());
+}
+
+#[test]
+fn parts_kept_out_are_named_too() {
+    // A nut cut across its bore shows tapers that end at the rim of a countersink, which are not told yet.
+    let across_nut = |view: &str| view.starts_with("hex nut") && !view.ends_with('z');
+    for (view, verdict) in verdicts(parts::held_out(), 0.0, 37) {
+        if !across_nut(&view) {
+            assert!(verdict.missing.is_empty(), "{view}: {:?} missing", verdict.missing);
+            assert!(verdict.extra.is_empty(), "{view}: {:?} are not there", verdict.extra);
+        }
+    }
+}
+
+#[test]
+fn a_part_cut_against_its_axis_shows_the_same_features() {
+    for part in parts::held_out().into_iter().filter(|p| p.shape.name == "tapered hub") {
+        let cloud = part.shape.sample(&Scan::new(Sampling::BlueNoise { count: part.count }).seed(1)).cloud;
+        let (sections, stack) = cut(&cloud, Axis::Vector([0.0, 0.0, -1.0]), 37);
+        let features: Vec<_> = part.views[0].features.iter().map(|k| k.along(-1.0)).collect();
+        let verdict = judge(&features, 0.0, &sections, &stack);
+        assert_eq!((verdict.named, verdict.missing.len(), verdict.extra.len()), (features.len(), 0, 0));
+        assert!(verdict.sizes.iter().all(|s| s.error.abs() < 0.1), "{:?}", verdict.sizes);
+    }
 }

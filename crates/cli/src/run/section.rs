@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use lineament::section::{SectionParams, Sections, Stack};
+use lineament::section::{Feature, SectionParams, Sections, Stack};
 use lineament_io::{
     ReadOptions, SectionContext, SectionFormat, section_format, write_sections, write_slice_picture,
 };
@@ -143,7 +143,20 @@ fn said(running: &Running, input: &Input, sections: &Sections, stack: &Stack) ->
     lines.extend(stack.runs.iter().filter(|_| shows_runs).map(|run| {
         let hole = if run.hole { " hole" } else { "" };
         let (from, to) = (summary::figure(run.from), summary::figure(run.to));
-        format!("{}{hole} from {from} to {to}: {} slices", run.feature.name(), run.contours.len())
+        let round = round(&run.feature).unwrap_or_default();
+        format!("{}{hole}{round} from {from} to {to}: {} slices", run.feature.name(), run.contours.len())
     }));
     lines
+}
+
+/// The radius of a round feature, or the least and the greatest.
+fn round(feature: &Feature) -> Option<String> {
+    match *feature {
+        Feature::Extrusion { radius } | Feature::Taper { radius, .. } => {
+            radius.map(|r| format!(" r {}", summary::figure(r)))
+        }
+        Feature::Revolution { least, most } => {
+            Some(format!(" r {} to {}", summary::figure(least), summary::figure(most)))
+        }
+    }
 }

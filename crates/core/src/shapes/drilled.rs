@@ -11,8 +11,8 @@ use crate::math::vec3::unit;
 use crate::network::StripKind;
 
 /// The faces of a prism that lie across it.
-const BOTTOM: usize = 0;
-const TOP: usize = 1;
+pub(super) const BOTTOM: usize = 0;
+pub(super) const TOP: usize = 1;
 
 /// A plate of 4 by 4 by 1.5 with a bore of radius 0.4 through its middle, sunk at 45 degrees to radius 0.9 at the top.
 pub fn countersunk_plate() -> Shape {
@@ -89,6 +89,6 @@ pub fn flange() -> Shape {
     shape
 }
 
-fn rectangle(x: f64, y: f64) -> [[f64; 2]; 4] {
+pub(super) fn rectangle(x: f64, y: f64) -> [[f64; 2]; 4] {
     [[0.0, 0.0], [x, 0.0], [x, y], [0.0, y]]
 }

@@ -32,6 +32,12 @@ fn all() -> Vec<Shape> {
         countersunk_plate(),
         crossed_bores(),
         flange(),
+        counterbored_plate(),
+        hex_nut(),
+        slotted_plate(),
+        channel(),
+        hollow_shaft(),
+        tapered_hub(),
     ]
 }
 
@@ -160,6 +166,8 @@ fn areas_are_right() {
         (bracket(), 2.0 * 1.2 * 9.8 + 4.0 * 22.0 - 2.0 * PI * 0.81 + 1.8 * PI * 1.2 + 1.6 * PI),
         // Each of four half mantles loses the 4 r^2 that the other's quarter arcs cover: 8 r^2 a cylinder.
         (cylinders(1.0, 1.0), 2.0 * (10.0 * PI - 8.0) + 4.0 * PI),
+        (counterbored_plate(), 30.0 + 16.0 * 1.2 + PI * (2.0 * 0.7 - 4.0 * 0.35 * 0.35 + 4.0 * 0.35 * 0.7)),
+        (slotted_plate(), 24.0 + 14.0 * 0.8 - 2.0 * (1.12 + PI * 0.16) + 0.8 * (2.8 + 0.8 * PI)),
     ];
     for (shape, area) in exact {
         assert!((shape.area() - area).abs() < 1e-4 * area, "{}: {} {area}", shape.name, shape.area());

@@ -3,13 +3,23 @@
 use super::parts::{Kind, Known};
 use lineament::section::{Feature, Run, Sections, Stack};
 
-/// What became of one cloud; lengths in spacings.
+/// A length of a named feature beside the true one, in spacings.
+#[derive(Clone, Debug)]
+pub struct Off {
+    pub error: f64,
+    /// How far off it may be, as the run states; infinite where nothing is stated.
+    pub stated: f64,
+    /// The run.
+    pub text: String,
+}
+
+/// What became of one cloud.
 #[derive(Clone, Debug, Default)]
 pub struct Verdict {
-    /// (error, what) of both ends of each named feature.
-    pub ends: Vec<(f64, String)>,
-    /// (error, what) of radii and apexes.
-    pub sizes: Vec<(f64, String)>,
+    /// Both ends of each named feature.
+    pub ends: Vec<Off>,
+    /// Radii and apexes.
+    pub sizes: Vec<Off>,
     /// Features that are not named.
     pub missing: Vec<String>,
     /// Runs that are no feature.
@@ -76,12 +86,15 @@ fn same(kind: Kind, run: &Run, h: f64) -> bool {
 
 fn compare(k: &Known, shift: f64, run: &Run, h: f64, verdict: &mut Verdict) {
     let what = text(run, shift, h);
-    for (found, truth) in [(run.from, k.from + shift), (run.to, k.to + shift)] {
-        verdict.ends.push(((found - truth) / h, format!("{truth:.3}: {what}")));
+    let ends = [(run.from, k.from), (run.to, k.to)];
+    for ((found, truth), stated) in ends.into_iter().zip(run.range_error) {
+        let text = format!("{truth:.3}: {what}");
+        verdict.ends.push(Off { error: (found - shift - truth) / h, stated: stated / h, text });
     }
     let mut size = |found: f64, truth: f64| {
         if truth.is_finite() {
-            verdict.sizes.push(((found - truth) / h, what.clone()));
+            let text = what.clone();
+            verdict.sizes.push(Off { error: (found - truth) / h, stated: f64::INFINITY, text });
         }
     };
     match (k.kind, run.feature) {

@@ -24,6 +24,23 @@ pub struct Known {
     pub optional: bool,
 }
 
+impl Known {
+    /// The feature along the axis (1), or against it (-1).
+    pub fn along(&self, way: f64) -> Known {
+        if way > 0.0 {
+            return self.clone();
+        }
+        let kind = match self.kind {
+            Kind::Taper(apex, radius) => {
+                let at = |r: f64| r * (apex - self.to) / (apex - self.from);
+                Kind::Taper(-apex, radius.map(at))
+            }
+            other => other,
+        };
+        Known { kind, from: -self.to, to: -self.from, ..self.clone() }
+    }
+}
+
 /// A part seen along one axis.
 pub struct View {
     pub axis: usize,
@@ -93,6 +110,19 @@ pub fn parts() -> Vec<Part> {
         part(shapes::pocketed_block(), 40_000, pocketed_block()),
         part(shapes::wedge(60.0), 15_000, wedge()),
         part(shapes::chamfered_block(0.4), 15_000, chamfered_block()),
+    ]
+}
+
+/// Parts that no method was tried on while it was made: they tell what to expect of others.
+pub fn held_out() -> Vec<Part> {
+    let part = |shape, count, views| Part { shape, count, views };
+    vec![
+        part(shapes::counterbored_plate(), 40_000, counterbored_plate()),
+        part(shapes::hex_nut(), 30_000, hex_nut()),
+        part(shapes::slotted_plate(), 30_000, slotted_plate()),
+        part(shapes::channel(), 40_000, channel()),
+        part(shapes::hollow_shaft(), 40_000, vec![view(2, hollow_shaft())]),
+        part(shapes::tapered_hub(), 40_000, vec![view(2, tapered_hub())]),
     ]
 }
 
@@ -213,4 +243,65 @@ fn chamfered_block() -> Vec<View> {
         known(Taper(4.0 - leg, None), 3.0 - leg, 3.0),
     ];
     vec![view(2, vec![known(PLAIN, 0.0, 1.0)]), view(0, x)]
+}
+
+fn counterbored_plate() -> Vec<View> {
+    let mut z = vec![known(PLAIN, 0.0, 1.2)];
+    z.extend([0.0, 0.7].into_iter().flat_map(|from| {
+        let (radius, to) = if from == 0.0 { (0.35, 0.7) } else { (0.7, 1.2) };
+        [(); 2].map(|()| hole(round(radius), from, to))
+    }));
+    let x = vec![known(PLAIN, 0.0, 0.7), known(PLAIN, 2.1, 2.9), known(PLAIN, 4.3, 5.0)];
+    let y = vec![known(PLAIN, 0.0, 0.8), known(PLAIN, 2.2, 3.0)];
+    vec![View { repeats: 2, ..view(2, z) }, view(0, x), view(1, y)]
+}
+
+fn hex_nut() -> Vec<View> {
+    let rim = 0.57;
+    let z = vec![
+        known(PLAIN, 0.0, 0.8),
+        hole(Taper(rim, Some(rim)), 0.0, 0.12),
+        hole(round(0.45), 0.12, 0.68),
+        hole(Taper(0.8 - rim, Some(0.45)), 0.68, 0.8),
+    ];
+    // From the side the outline grows up to where the rim of the bore begins.
+    let x = vec![known(Taper(-1.0, None), -1.0, -rim), known(Taper(1.0, None), rim, 1.0)];
+    let (half, apex) = (0.75f64.sqrt(), 3f64.sqrt());
+    let y = vec![known(Taper(-apex, None), -half, -rim), known(Taper(apex, None), rim, half)];
+    vec![view(2, z), view(0, x), view(1, y)]
+}
+
+fn slotted_plate() -> Vec<View> {
+    let z = vec![known(PLAIN, 0.0, 0.8), hole(PLAIN, 0.0, 0.8)];
+    // Beside the slot the walls run on smoothly from its round ends.
+    let beside = maybe(known(PLAIN, 1.3, 2.7));
+    let x = vec![known(PLAIN, 0.0, 0.9), beside.clone(), beside, known(PLAIN, 3.1, 4.0)];
+    let y = vec![known(PLAIN, 0.0, 1.1), known(PLAIN, 1.9, 3.0)];
+    vec![view(2, z), view(0, x), view(1, y)]
+}
+
+fn channel() -> Vec<View> {
+    let z = vec![known(PLAIN, 0.0, 0.5), known(PLAIN, 0.5, 2.0), known(PLAIN, 0.5, 2.0)];
+    let y = vec![known(PLAIN, 0.0, 0.5), known(PLAIN, 0.5, 2.5), known(PLAIN, 2.5, 3.0)];
+    vec![
+        view(0, vec![known(PLAIN, 0.0, 5.0)]),
+        View { repeats: 1, ..view(2, z) },
+        View { repeats: 1, ..view(1, y) },
+    ]
+}
+
+fn hollow_shaft() -> Vec<Known> {
+    let steps = [(0.8, 0.0, 1.2), (1.1, 1.2, 2.8), (0.9, 2.8, 3.1), (1.1, 3.1, 4.0)];
+    let mut all: Vec<Known> = steps.iter().map(|&(r, from, to)| known(round(r), from, to)).collect();
+    all.extend([hole(round(0.4), 0.0, 2.5), hole(round(0.6), 2.5, 4.0)]);
+    all
+}
+
+fn tapered_hub() -> Vec<Known> {
+    vec![
+        known(round(1.8), 0.0, 0.4),
+        known(Taper(3.15, Some(1.1)), 0.4, 1.4),
+        known(round(0.7), 1.4, 2.0),
+        hole(round(0.5), 0.0, 2.0),
+    ]
 }

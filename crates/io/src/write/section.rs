@@ -40,7 +40,7 @@ pub enum SectionFormat {
     Obj,
     /// Vertices and edges, binary.
     Ply,
-    /// Lines, arcs, circles and polylines, release 12, a layer a slice.
+    /// Lines, arcs, circles and polylines, release 12, a layer a slice; names of the runs as texts.
     Dxf,
     /// A sheet with all slices side by side.
     Svg,
@@ -101,7 +101,7 @@ pub fn write_sections_to(
         SectionFormat::Json => json::write(out, sections, context),
         SectionFormat::Obj => obj::write(out, sections),
         SectionFormat::Ply => ply::write(out, sections),
-        SectionFormat::Dxf => dxf::write(out, sections),
+        SectionFormat::Dxf => dxf::write(out, sections, &context.stack),
         SectionFormat::Svg => svg::write(out, sections),
         SectionFormat::GeoJson => geojson::write(out, sections),
     }

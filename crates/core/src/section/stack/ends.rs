@@ -3,9 +3,11 @@
 //! two slices, and are found in the points there.
 
 mod border;
+mod crest;
 mod face;
 mod fold;
 mod near;
+mod parts;
 mod size;
 
 use rayon::prelude::*;
@@ -54,7 +56,7 @@ pub(super) fn refine(
     sections: &Sections,
     runs: &mut Vec<Found>,
 ) {
-    let sizes: Vec<Size> = runs.par_iter().map(Size::new).collect();
+    let sizes: Vec<Size> = runs.par_iter().map(|r| Size::new(r, sections.spacing)).collect();
     let searches: Vec<Search> =
         runs.iter().zip(&sizes).flat_map(|(r, size)| near::searches(r, size, sections)).collect();
     let near = Ground::new(local, index, tiles, sections).near(&searches);
@@ -105,7 +107,8 @@ fn continue_radius(below: &Feature, above: &mut Feature) {
 /// One end of a run, by what its points show first, going away from its slice.
 fn end(search: &Search, spots: &[Spot], size: &Size, sections: &Sections) -> Option<End> {
     let (h, noise) = (sections.spacing, sections.noise);
-    let face = face::face(search, spots, h, noise);
+    let near = search.ahead_of_start(spots);
+    let face = face::face(search, near, h, noise);
     let fold = search.upright.then(|| fold::fold(search, spots, h, noise)).flatten();
     // A face is surer where both show one edge.
     let nearer = |a: End, b: End| {
@@ -115,20 +118,31 @@ fn end(search: &Search, spots: &[Spot], size: &Size, sections: &Sections) -> Opt
         (Some(a), Some(b)) => Some(nearer(a, b)),
         (a, b) => a.or(b),
     };
-    let apex = || near::apex(search, spots, size, h);
-    first.or_else(apex).or_else(|| border::border(search, spots, h, noise))
+    let apex = || near::apex(search, near, size, h);
+    first.or_else(apex).or_else(|| border::border(search, near, h, noise))
 }
 
 /// Lets two runs that meet end at one height, where only one of them tells it, or neither.
-fn meet(a: &mut Option<End>, b: &mut Option<End>, meeting: Option<f64>, h: f64) {
+fn meet(a: &mut Option<End>, b: &mut Option<End>, meeting: Option<(f64, f64)>, h: f64) {
     let sure = |e: &Option<End>| e.filter(|e| matches!(e.by, By::Face | By::Fold));
+    let folds = [&*a, &*b].into_iter().filter_map(sure).find(|e| e.by == By::Fold);
+    if let (Some(fold), Some((height, error))) = (folds, meeting) {
+        // Two long runs tell their meeting better than the points beside it.
+        let same = (height - fold.height).abs() <= 3.0 * (fold.error + error) + 0.5 * h;
+        let faces = [&*a, &*b].into_iter().flatten().any(|e| e.by == By::Face);
+        if error < fold.error && same && !faces {
+            let end = Some(End { height, error, by: By::Meeting });
+            (*a, *b) = (end, end);
+            return;
+        }
+    }
     match (sure(a), sure(b)) {
         (Some(_), Some(_)) => {}
         (Some(end), None) if end.by == By::Fold => *b = Some(end),
         (None, Some(end)) if end.by == By::Fold => *a = Some(end),
         (one, other) => {
-            let Some(height) = meeting else { return };
-            let end = Some(End { height, error: 0.1 * h, by: By::Meeting });
+            let Some((height, error)) = meeting else { return };
+            let end = Some(End { height, error: error.min(0.3 * h), by: By::Meeting });
             if one.is_none() {
                 *a = end;
             }

@@ -1,16 +1,21 @@
 //! Sections as DXF, release 12 (AC1009), a layer a slice, for further editing: lines, arcs and circles as such where
-//! curves were fitted, splines as 3D polylines, for the release has none. Group codes, object coordinates and the
-//! arbitrary axis algorithm are those of the AutoCAD DXF reference.
+//! curves were fitted, splines as 3D polylines, for the release has none. Each run of the stack is named by a text at its
+//! middle, on a layer of its kind. The release knows no unit: lengths are those of the input. Group codes, object
+//! coordinates and the arbitrary axis algorithm are those of the AutoCAD DXF reference.
 
 use lineament::curve::BSpline;
 use lineament::math::vec3::{cross, dot, unit};
-use lineament::section::{CurvePiece, CurveShape, Sections};
+use lineament::section::{CurvePiece, CurveShape, Feature, Run, Sections, Stack};
 use std::io::{self, Write};
 
 /// Points a spline is written with, for each of its spans.
 const SPAN_POINTS: usize = 8;
+/// Layers of the names of runs.
+const FEATURES: [&str; 4] = ["HOLE", "EXTRUSION", "TAPER", "REVOLUTION"];
+/// Height of their letters, in spacings.
+const LETTERS: f64 = 4.0;
 
-pub(super) fn write(out: &mut dyn Write, sections: &Sections) -> io::Result<()> {
+pub(super) fn write(out: &mut dyn Write, sections: &Sections, stack: &Stack) -> io::Result<()> {
     write!(out, "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n")?;
     tables(out, sections)?;
     write!(out, "0\nSECTION\n2\nENTITIES\n")?;
@@ -24,7 +29,28 @@ pub(super) fn write(out: &mut dyn Write, sections: &Sections) -> io::Result<()> 
             entity(out, &layer, piece, normal)?;
         }
     }
+    for run in &stack.runs {
+        named(out, run, LETTERS * sections.spacing, normal)?;
+    }
     write!(out, "0\nENDSEC\n0\nEOF\n")
+}
+
+/// The name of a run, with its radius and range.
+fn named(out: &mut dyn Write, run: &Run, height: f64, normal: [f64; 3]) -> io::Result<()> {
+    let kind = run.feature.name();
+    let layer = if run.hole { "HOLE".into() } else { kind.to_uppercase() };
+    let hole = if run.hole { " hole" } else { "" };
+    let round = match run.feature {
+        Feature::Extrusion { radius: Some(r) } | Feature::Taper { radius: Some(r), .. } => {
+            format!(" r {r:.6}")
+        }
+        Feature::Revolution { least, most } => format!(" r {least:.6} to {most:.6}"),
+        _ => String::new(),
+    };
+    write!(out, "0\nTEXT\n8\n{layer}\n")?;
+    point(out, 0, object(normal, run.centre))?;
+    write!(out, "40\n{height:?}\n1\n{kind}{hole}{round} from {:.6} to {:.6}\n", run.from, run.to)?;
+    extrusion(out, normal)
 }
 
 fn layer(plane: usize) -> String {
@@ -34,11 +60,14 @@ fn layer(plane: usize) -> String {
 fn tables(out: &mut dyn Write, sections: &Sections) -> io::Result<()> {
     write!(out, "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLTYPE\n70\n1\n")?;
     write!(out, "0\nLTYPE\n2\nCONTINUOUS\n70\n0\n3\nSolid line\n72\n65\n73\n0\n40\n0.0\n0\nENDTAB\n")?;
-    write!(out, "0\nTABLE\n2\nLAYER\n70\n{}\n", sections.sections.len() + 1)?;
+    write!(out, "0\nTABLE\n2\nLAYER\n70\n{}\n", sections.sections.len() + FEATURES.len() + 1)?;
     write!(out, "0\nLAYER\n2\n0\n70\n0\n62\n7\n6\nCONTINUOUS\n")?;
     for section in &sections.sections {
         let colour = section.plane % 6 + 1;
         write!(out, "0\nLAYER\n2\n{}\n70\n0\n62\n{colour}\n6\nCONTINUOUS\n", layer(section.plane))?;
+    }
+    for name in FEATURES {
+        write!(out, "0\nLAYER\n2\n{name}\n70\n0\n62\n7\n6\nCONTINUOUS\n")?;
     }
     write!(out, "0\nENDTAB\n0\nENDSEC\n")
 }

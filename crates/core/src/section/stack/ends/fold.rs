@@ -1,8 +1,12 @@
-//! A fold into a slanted wall: the planes beside the outline meet the upright wall at one height.
+//! A fold into a slanted wall: the planes beside the outline meet the upright wall at one height, or along a curve that is
+//! level at one place, as the rim of a countersink cut from the side. First the planes of single points tell about where;
+//! then one line or parabola through the points themselves tells it to a fraction of the spacing.
 
-use super::super::super::vec2::{dot, sub, unit};
+use super::super::super::vec2::{along, distance, dot, sub, unit};
 use super::near::{Search, Spot, to_foot};
+use super::parts::parts;
 use super::{By, End};
+use crate::math::least_squares::least_squares;
 use crate::math::vec3;
 
 /// Least angle of a slanted wall to the axis, degrees: without noise, and what noise (in spacings) adds.
@@ -12,43 +16,237 @@ const FEWEST: usize = 8;
 const SHARE: f64 = 0.35;
 /// How far from an edge, in spacings, planes show one face: without noise, and what noise (in spacings) adds.
 const CLEAR: (f64, f64) = (1.6, 2.0);
+/// The same of the points themselves.
+const OWN: (f64, f64) = (0.7, 2.0);
 /// Cosine of the angle between axis and normal above which a plane is level: 4 degrees.
 const LEVEL: f64 = 0.9976;
 /// Cosine of the angle by which a slanted plane may fall aside.
 const ACROSS: f64 = 0.7;
 /// How far beside an outline planes tell where they meet it, in spacings.
-const BESIDE: f64 = 4.0;
+const BESIDE: f64 = 6.0;
+/// How far the leans of one wall spread, degrees: without noise, and what noise (in spacings) adds.
+const ALIKE_DEG: (f64, f64) = (4.0, 40.0);
+/// Width, in spacings, of the middle two thirds of a wall: planes at a sharp edge lean as well, but no farther from it.
+const WIDE: f64 = 1.5;
+/// How far beyond its level place, in spacings, a curve is followed.
+const RISE: f64 = 3.0;
+/// Standard errors of a bend that make it one, and the share of the squared spread that it may leave.
+const BENT: f64 = 6.0;
+const BETTER: f64 = 0.5;
 
-/// The height at which most slanted planes beside an outline meet it.
+/// A slanted plane beside an outline.
+#[derive(Clone, Copy)]
+struct Meet {
+    /// How far ahead the plane meets the outline.
+    ahead: f64,
+    /// How far ahead its point lies, and how far beside the outline.
+    own: f64,
+    off: f64,
+    /// How much the wall rises for what it falls aside.
+    rise: f64,
+    foot: [f64; 2],
+}
+
+/// A line through heights, or the level place of a curve.
+struct Fitted {
+    ahead: f64,
+    error: f64,
+}
+
+/// The height at which the slanted walls beside an outline meet it.
 pub(super) fn fold(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<End> {
-    let least = (SLANTED_DEG.0 + SLANTED_DEG.1 * noise).to_radians().sin();
-    let slanted = |s: &&Spot| {
-        let lean = s.normal[2].abs();
-        s.fits && (least..LEVEL).contains(&lean) && s.off <= BESIDE * h && faces_outline(s)
-    };
-    let meets = |s: &Spot| {
-        let [dx, dy] = to_foot(s);
-        let height = s.centre[2] - vec3::dot([dx, dy, 0.0], s.normal) / s.normal[2];
-        // Planes right at an edge mix both of its faces.
-        let clear = s.off.hypot(s.height - height) >= (CLEAR.0 + CLEAR.1 * noise) * h;
-        clear.then(|| (search.ahead(height), search.ahead(s.height)))
-    };
-    let mut all: Vec<(f64, f64)> = spots.iter().filter(slanted).filter_map(meets).collect();
-    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let all = meets(search, search.ahead_of_start(spots), h, noise);
     let width = (0.4 + 2.5 * noise) * h;
-    let window = |i: usize| i..all.partition_point(|a| a.0 <= all[i].0 + width);
+    let forward = (search.outer - search.inner).signum();
+    let straight = straight(&all, width, h, noise).filter(|f| search.holds(search.inner + f.ahead * forward));
+    let level = rim(search, spots, h, noise).filter(|f| search.holds_slow(f.ahead));
+    let first = match (straight, level) {
+        (Some(a), Some(b)) => Some(if a.ahead < b.ahead - 0.5 * h { a } else { b }),
+        (a, b) => a.or(b),
+    }?;
+    let height = search.inner + first.ahead * forward;
+    Some(End { height, error: first.error, by: By::Fold })
+}
+
+/// Slanted planes that are clear of their edge, by where they meet the outline.
+fn meets(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Vec<Meet> {
+    let clear = (CLEAR.0 + CLEAR.1 * noise) * h;
+    let slanted = spots.iter().filter(|s| s.fits).filter_map(|s| meet(search, s, h, noise));
+    let mut all: Vec<Meet> = slanted.filter(|m| m.off.hypot(m.own - m.ahead) >= clear).collect();
+    all.sort_by(|a, b| a.ahead.total_cmp(&b.ahead));
+    all
+}
+
+/// Where the plane at a spot meets the outline, if it is slanted and falls across it.
+fn meet(search: &Search, s: &Spot, h: f64, noise: f64) -> Option<Meet> {
+    let least = (SLANTED_DEG.0 + SLANTED_DEG.1 * noise).to_radians().sin();
+    let lean = s.normal[2].abs();
+    if !(least..LEVEL).contains(&lean) || s.off > BESIDE * h || !faces_outline(s) {
+        return None;
+    }
+    let [dx, dy] = to_foot(s);
+    let height = s.centre[2] - vec3::dot([dx, dy, 0.0], s.normal) / s.normal[2];
+    Some(Meet {
+        ahead: search.ahead(height),
+        own: search.ahead(s.height),
+        off: s.off,
+        rise: (1.0 - lean * lean).sqrt() / lean,
+        foot: s.foot,
+    })
+}
+
+/// The height at which most planes meet the outline.
+fn straight(all: &[Meet], width: f64, h: f64, noise: f64) -> Option<Fitted> {
+    let window = |i: usize| i..all.partition_point(|a| a.ahead <= all[i].ahead + width);
     let fullest = (0..all.len()).map(window).max_by_key(|w| (w.len(), std::cmp::Reverse(w.start)))?;
     let found = &all[fullest];
     if found.len() < FEWEST || (found.len() as f64) < SHARE * all.len() as f64 {
         return None;
     }
-    let at = |share: f64| found[((found.len() - 1) as f64 * share) as usize].0;
+    let at = |share: f64| found[((found.len() - 1) as f64 * share) as usize].ahead;
     let ahead = at(0.5);
-    let beyond = found.iter().filter(|a| a.1 >= ahead - 0.5 * h).count();
+    let beyond = found.iter().filter(|a| a.own >= ahead - 0.5 * h).count();
     let error = 1.3 * (at(0.84) - at(0.16)) / (found.len() as f64).sqrt() + 1e-2 * h;
-    let height = search.inner + ahead * (search.outer - search.inner).signum();
-    let there = search.holds(height) && 4 * beyond >= 3 * found.len();
-    there.then_some(End { height, error, by: By::Fold })
+    let refined = line(all, ahead, width, noise).filter(|f| (f.ahead - ahead).abs() <= width);
+    (4 * beyond >= 3 * found.len()).then_some(refined.unwrap_or(Fitted { ahead, error }))
+}
+
+/// The height at which a line through the points themselves, by their distance from the outline, meets it: of walls that
+/// lean alike.
+fn line(all: &[Meet], ahead: f64, width: f64, noise: f64) -> Option<Fitted> {
+    let mut near: Vec<Meet> = all.iter().filter(|m| (m.ahead - ahead).abs() <= width).copied().collect();
+    let mut leans: Vec<f64> = near.iter().map(|m| m.rise.atan().to_degrees()).collect();
+    leans.sort_by(f64::total_cmp);
+    let at = |share: f64| leans[((leans.len() - 1) as f64 * share) as usize];
+    if near.len() < FEWEST || at(0.84) - at(0.16) > ALIKE_DEG.0 + ALIKE_DEG.1 * noise {
+        return None;
+    }
+    let mut found = None;
+    for _ in 0..3 {
+        // Noise moves points across the wall, so that the line is the one of least distances across itself.
+        let n = near.len() as f64;
+        let mean = |of: &dyn Fn(&Meet) -> f64| near.iter().map(of).sum::<f64>() / n;
+        let (x, y) = (mean(&|m| m.off), mean(&|m| m.own));
+        let xx = mean(&|m| (m.off - x).powi(2));
+        let yy = mean(&|m| (m.own - y).powi(2));
+        let xy = mean(&|m| (m.off - x) * (m.own - y));
+        let (sine, cosine) = (0.5 * (2.0 * xy).atan2(xx - yy)).sin_cos();
+        let rest = |m: &Meet| (m.own - y) * cosine - (m.off - x) * sine;
+        let sigma = (near.iter().map(|m| rest(m).powi(2)).sum::<f64>() / (n - 2.0)).sqrt();
+        let wide = n * (xx * cosine * cosine + 2.0 * xy * sine * cosine + yy * sine * sine);
+        // How far along the line the outline lies from the middle of the points.
+        let lever = x / cosine;
+        let error = sigma / cosine * (1.0 / n + lever * lever / wide).sqrt();
+        found = Some(Fitted { ahead: y - x * sine / cosine, error }).filter(|f| f.ahead.is_finite());
+        near.retain(|m| rest(m).abs() <= 2.5 * sigma);
+        if near.len() < FEWEST {
+            break;
+        }
+    }
+    found
+}
+
+/// The level place of a curve along which slanted walls meet the outline.
+fn rim(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<Fitted> {
+    let own = (OWN.0 + OWN.1 * noise) * h;
+    let clear =
+        |s: &&Spot| meet(search, s, h, noise).is_some_and(|m| s.fits && m.off.hypot(m.own - m.ahead) >= own);
+    let slanted: Vec<Spot> = spots.iter().filter(clear).copied().collect();
+    let groups = parts(&slanted, |s| s.foot, 2.0 * h);
+    let found = groups.iter().filter_map(|group| curve(search, group, h, noise));
+    found.min_by(|a, b| a.ahead.total_cmp(&b.ahead))
+}
+
+/// The level place of the curve along which one wall meets a straight part of the outline.
+fn curve(search: &Search, group: &[Spot], h: f64, noise: f64) -> Option<Fitted> {
+    let mut all: Vec<Meet> = group.iter().filter_map(|s| meet(search, s, h, noise)).collect();
+    if all.len() < 2 * FEWEST {
+        return None;
+    }
+    all.sort_by(|a, b| a.off.total_cmp(&b.off));
+    let at = |share: f64| all[((all.len() - 1) as f64 * share) as usize].off;
+    if at(0.84) - at(0.16) < WIDE * h {
+        return None;
+    }
+    all.sort_by(|a, b| a.ahead.total_cmp(&b.ahead));
+    let low = all[all.len() / 20].ahead;
+    all.retain(|m| m.ahead <= low + RISE * h);
+    let origin = all[0].foot;
+    let far =
+        all.iter().map(|m| m.foot).max_by(|a, b| distance(*a, origin).total_cmp(&distance(*b, origin)))?;
+    let way = unit(sub(far, origin));
+    let reach = distance(far, origin);
+    let straight = |m: &Meet| distance(along(origin, way, dot(sub(m.foot, origin), way)), m.foot) <= 0.5 * h;
+    if reach < RISE * h || !all.iter().all(straight) {
+        return None;
+    }
+    // Places along the outline are taken from the level place as it is known.
+    let mut middle = 0.0;
+    for round in 0..4 {
+        let place = |m: &Meet| dot(sub(m.foot, origin), way) / reach - middle;
+        let bent = Bent::fit(&all, place)?;
+        let level = -bent.slope / (2.0 * bent.bend);
+        let (least, most) =
+            all.iter().map(place).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), s| (l.min(s), m.max(s)));
+        if !bent.clearly || !(least..=most).contains(&level) {
+            return None;
+        }
+        let ahead = bent.at - bent.slope * bent.slope / (4.0 * bent.bend);
+        if round == 3 {
+            let error = 2.0 * bent.sigma / (all.len() as f64).sqrt() + 0.02 * h;
+            return Some(Fitted { ahead, error });
+        }
+        let near = |m: &Meet| {
+            let s = place(m);
+            bent.at + (bent.slope + bent.bend * s) * s <= ahead + RISE * h
+        };
+        all.retain(|m| bent.rest(m, place(m)).abs() <= 2.5 * bent.sigma && near(m));
+        middle += level;
+    }
+    None
+}
+
+/// A parabola along the outline from which a wall rises, the steeper the farther from the level place.
+struct Bent {
+    at: f64,
+    slope: f64,
+    bend: f64,
+    rise: f64,
+    /// What the rise gains by the squared place.
+    gain: f64,
+    /// Standard deviation about it.
+    sigma: f64,
+    /// Whether it is bent, and away from the run.
+    clearly: bool,
+}
+
+impl Bent {
+    fn fit(all: &[Meet], place: impl Fn(&Meet) -> f64) -> Option<Bent> {
+        let n = all.len() as f64;
+        if all.len() < 2 * FEWEST {
+            return None;
+        }
+        let [a, k] = least_squares(all.iter().map(|m| ([1.0, m.off], m.own)))?;
+        let plain = all.iter().map(|m| (m.own - a - k * m.off).powi(2)).sum::<f64>();
+        let row = |m: &Meet| {
+            let s = place(m);
+            ([1.0, s, s * s, m.off, s * s * m.off], m.own)
+        };
+        let [at, slope, bend, rise, gain] = least_squares(all.iter().map(row))?;
+        let mut bent = Bent { at, slope, bend, rise, gain, sigma: 0.0, clearly: false };
+        let left = all.iter().map(|m| bent.rest(m, place(m)).powi(2)).sum::<f64>();
+        bent.sigma = (left / (n - 5.0)).sqrt();
+        let squares: Vec<f64> = all.iter().map(|m| place(m).powi(2)).collect();
+        let mean = squares.iter().sum::<f64>() / n;
+        let power = squares.iter().map(|x| (x - mean).powi(2)).sum::<f64>().sqrt();
+        bent.clearly = bend > BENT * bent.sigma / power && left <= BETTER * plain;
+        Some(bent)
+    }
+
+    /// How far a point at a place lies from it.
+    fn rest(&self, m: &Meet, s: f64) -> f64 {
+        m.own - self.at - (self.slope + self.bend * s) * s - (self.rise + self.gain * s * s) * m.off
+    }
 }
 
 /// Whether a plane falls towards the outline or away from it, and not along it as the flanks of a bore that opens there.

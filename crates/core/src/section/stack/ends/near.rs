@@ -18,9 +18,12 @@ use crate::math::vec3;
 use crate::neighbors::Index;
 
 /// How far beside an outline its end is looked for, in spacings.
-pub(super) const BESIDE: f64 = 4.0;
+pub(super) const BESIDE: f64 = 6.0;
 /// How far behind its slice, in spacings, an end may lie.
 const BEHIND: f64 = 0.7;
+/// The same where its wall bends away slowly, as at the rim of a countersink cut from the side: a slice some way beyond it
+/// still nearly shows the outline.
+const SLOWLY: f64 = 4.0;
 /// How far around an end points show it, in spacings.
 const AROUND: f64 = 2.0;
 /// Most leaves of the index that are looked at for one end: of upright walls, of others.
@@ -35,6 +38,8 @@ pub(super) struct Search<'a> {
     pub outer: f64,
     /// How far behind `inner` it may lie.
     behind: f64,
+    /// How far behind it points are looked at, and slow ends.
+    slowly: f64,
     /// How far beyond `outer` points are looked at.
     around: f64,
     /// Whether the walls stand along the axis.
@@ -50,7 +55,18 @@ impl Search<'_> {
     /// Heights of the points looked at: what shows an end lies around it.
     fn range(&self) -> (f64, f64) {
         let far = self.outer + self.around * (self.outer - self.inner).signum();
-        (self.start().min(far), self.start().max(far))
+        let start = self.inner - self.slowly * (self.outer - self.inner).signum();
+        (start.min(far), start.max(far))
+    }
+
+    /// Points that show ends other than slow ones, of those that are looked at.
+    pub(super) fn ahead_of_start<'s>(&self, spots: &'s [Spot]) -> &'s [Spot] {
+        &spots[spots.partition_point(|s| self.ahead(s.height) < -self.behind)..]
+    }
+
+    /// Whether a slow end may lie so far ahead.
+    pub(super) fn holds_slow(&self, ahead: f64) -> bool {
+        (-self.slowly..=self.ahead(self.outer)).contains(&ahead)
     }
 
     /// Whether an end may lie at a height.
@@ -66,7 +82,7 @@ impl Search<'_> {
 
 /// The searches for both ends of a run.
 pub(super) fn searches<'a>(
-    Found { run, profiles, .. }: &Found<'a>,
+    found @ Found { run, profiles, .. }: &Found<'a>,
     size: &Size,
     sections: &Sections,
 ) -> [Search<'a>; 2] {
@@ -80,12 +96,14 @@ pub(super) fn searches<'a>(
         if run.range_error[0].is_finite() { 2.0 * run.from - first - past } else { f64::NEG_INFINITY };
     let above = if run.range_error[1].is_finite() { 2.0 * run.to - last + past } else { f64::INFINITY };
     let [below, above] = size.to_apex([below, above], [first, last], sections.spacing);
-    let behind = (BEHIND * sections.spacing).min(0.5 * (last - first));
+    let [behind, slowly] = [BEHIND, SLOWLY].map(|far| (far * sections.spacing).min(0.5 * (last - first)));
     let upright = matches!(run.feature, Feature::Extrusion { .. });
     let around = AROUND * sections.spacing;
+    // Beside a fold a slice shows a mean of both walls; an extrusion has the same outline in its middle.
+    let [low, high] = if upright { [found.middle(); 2] } else { [low, high] };
     [
-        Search { outline: low, inner: first, outer: below, behind, around, upright },
-        Search { outline: high, inner: last, outer: above, behind, around, upright },
+        Search { outline: low, inner: first, outer: below, behind, slowly, around, upright },
+        Search { outline: high, inner: last, outer: above, behind, slowly, around, upright },
     ]
 }
 
@@ -208,9 +226,10 @@ impl<'a> Ground<'a> {
     }
 }
 
-/// Whether a point lies within an outline that closes towards its end: a slanted wall goes on there.
+/// Whether a point lies within an outline: the whole of a face or a bore tells where it lies, and a slanted wall goes on
+/// there.
 fn inside(search: &Search, p: [f64; 2]) -> bool {
-    !search.upright && nest::contains(search.outline.outline.points(), p)
+    nest::contains(search.outline.outline.points(), p)
 }
 
 /// The apex that a taper runs out to, if points show its wall up to there.

@@ -2,11 +2,17 @@
 //! of its outline moves evenly.
 
 use super::super::Feature;
+use super::super::profile::Profile;
 use super::super::runs::Found;
 use crate::math::least_squares::least_squares;
 
 /// How far from the last contour an apex is looked for, in spacings.
 const NEAR: f64 = 12.0;
+
+/// How far from the ends of a run, in spacings, its slices show nothing of what lies beyond.
+const CLEAR: f64 = 2.0;
+/// Fewest of them that are taken alone.
+const FEW: usize = 4;
 
 /// Area, and radius if round, as polynomials of the height over the middle.
 #[derive(Clone, Debug)]
@@ -15,17 +21,28 @@ pub(super) struct Size {
     /// Constant, linear, squared; `None` where the outline moves in no even way.
     area: Option<[f64; 3]>,
     radius: Option<[f64; 2]>,
+    /// How far off the area may be; infinite of few slices.
+    error: f64,
     /// Whether the outline grows with height.
     grows: bool,
 }
 
 impl Size {
-    pub(super) fn new(found: &Found) -> Self {
-        let own = &found.profiles;
+    pub(super) fn new(found: &Found, h: f64) -> Self {
+        let all = &found.profiles;
+        let (low, high) = (all[0].height + CLEAR * h, all[all.len() - 1].height - CLEAR * h);
+        let clear: Vec<&Profile> = all.iter().copied().filter(|p| (low..=high).contains(&p.height)).collect();
+        let sure = clear.len() >= FEW;
+        let own = if sure { &clear } else { all };
         let middle = 0.5 * (own[0].height + own[own.len() - 1].height);
         let areas: Vec<[f64; 2]> = own.iter().map(|p| [p.height - middle, p.area]).collect();
-        let mut size =
-            Self { middle, area: None, radius: None, grows: own[own.len() - 1].area > own[0].area };
+        let mut size = Self {
+            middle,
+            area: None,
+            radius: None,
+            error: f64::INFINITY,
+            grows: own[own.len() - 1].area > own[0].area,
+        };
         match found.run.feature {
             Feature::Extrusion { .. } => {
                 size.area = Some([areas.iter().map(|a| a[1]).sum::<f64>() / areas.len() as f64, 0.0, 0.0]);
@@ -41,6 +58,13 @@ impl Size {
                 });
             }
             Feature::Revolution { .. } => {}
+        }
+        if let Some([a, b, c]) = size.area.filter(|_| sure) {
+            let rest = |[x, area]: &[f64; 2]| area - a - b * x - c * x * x;
+            let n = areas.len() as f64;
+            // Noise draws neighbouring slices out or in together.
+            size.error =
+                2.0 * (areas.iter().map(|p| rest(p).powi(2)).sum::<f64>() / (n - 3.0)).sqrt() / n.sqrt();
         }
         size
     }
@@ -76,8 +100,8 @@ impl Size {
         outer
     }
 
-    /// The height, about between two slices, at which this outline and the next are of one size.
-    pub(super) fn meets(&self, next: &Self, between: [f64; 2], h: f64) -> Option<f64> {
+    /// The height, about between two slices, at which this outline and the next are of one size, and how far off that may be.
+    pub(super) fn meets(&self, next: &Self, between: [f64; 2], h: f64) -> Option<(f64, f64)> {
         let (own, other) = (self.area?, next.area?);
         let shift = self.middle - next.middle;
         let [a, b, c] = other;
@@ -87,7 +111,9 @@ impl Size {
         let middle = 0.5 * (between[0] + between[1]) - self.middle;
         let reach = 0.5 * (between[1] - between[0]) + h;
         let near = roots(difference).into_iter().filter(|r| (r - middle).abs() <= reach);
-        near.min_by(|p, q| (p - middle).abs().total_cmp(&(q - middle).abs())).map(|r| self.middle + r)
+        let root = near.min_by(|p, q| (p - middle).abs().total_cmp(&(q - middle).abs()))?;
+        let slope = difference[1] + 2.0 * difference[2] * root;
+        Some((self.middle + root, self.error.hypot(next.error) / slope.abs() + 1e-2 * h))
     }
 }
 

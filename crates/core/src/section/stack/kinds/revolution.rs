@@ -1,7 +1,9 @@
-//! Runs of circles about one line along the axis.
+//! Runs of circles about one line along the axis. Where their radii lie on a line they are a cylinder or a cone, which noise
+//! or few slices have hidden.
 
 use super::super::super::vec2::distance;
 use super::{Feature, Kinds, Reached, reach};
+use crate::math::least_squares::least_squares;
 
 /// Fewest slices of a revolution: two always agree, and a third may by chance.
 const LEAST: usize = 4;
@@ -22,7 +24,30 @@ impl Kinds<'_> {
         let (last, residual) = reach(first, end, LEAST, |last| self.concentric(first, last))?;
         let radii = self.all[first..=last].iter().filter_map(|p| p.round.map(|r| r.radius));
         let (least, most) = radii.fold((f64::INFINITY, 0.0f64), |(l, m), r| (l.min(r), m.max(r)));
-        Some(Reached { first, last, feature: Feature::Revolution { least, most }, residual })
+        let feature = self.straight(first, last).unwrap_or(Feature::Revolution { least, most });
+        Some(Reached { first, last, feature, residual })
+    }
+
+    /// The cylinder or the cone that circles show if their radii, but for a few, lie on one line.
+    fn straight(&self, first: usize, last: usize) -> Option<Feature> {
+        let middle = 0.5 * (self.all[first].height + self.all[last].height);
+        let place = |k: usize| Some([self.all[k].height - middle, self.all[k].round?.radius]);
+        let all: Vec<[f64; 2]> = (first..=last).filter_map(place).collect();
+        let [radius, slope] = least_squares(all.iter().map(|&[z, r]| ([1.0, z], r)))?;
+        let mut offs: Vec<f64> = all.iter().map(|&[z, r]| (r - radius - slope * z).abs()).collect();
+        offs.sort_by(f64::total_cmp);
+        let worst = offs[offs.len() - 1 - Self::spared(first, last)];
+        let span = self.all[last].height - self.all[first].height;
+        if worst > self.tolerance {
+            return None;
+        }
+        let angle_deg = slope.atan().to_degrees();
+        if (slope * span).abs() <= self.tolerance && angle_deg.abs() <= self.slopes[0] {
+            return Some(Feature::Extrusion { radius: Some(radius) });
+        }
+        // A cone leans enough for its wall to be told from a cylinder's.
+        let leans = angle_deg.abs() > self.slopes[1];
+        leans.then_some(Feature::Taper { angle_deg, apex: f64::NAN, radius: None })
     }
 
     /// The greatest distance of a centre from the middle one; the first and the last must be circles, and nearly all.

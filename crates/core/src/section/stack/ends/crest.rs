@@ -1,0 +1,162 @@
+//! Curved faces where they are level: rings about an axis, and crests, as of a bore that lies along the slices or a dome.
+
+use super::super::super::vec2::{distance, dot, left};
+use super::face::middle;
+use super::near::Spot;
+use crate::math::least_squares::least_squares;
+
+/// How many standard errors a bend must have to be one.
+const CLEAR_BEND: f64 = 6.0;
+/// Cosine of the angle between the axis and the normals of points that may lie on a crest: 37 degrees.
+const ACROSS: f64 = 0.8;
+/// How far outside of the points, in shares of their reach, the level place may lie.
+const OUTSIDE: f64 = 1.3;
+
+/// The level height and the spread about a parabola over the distance from a centre.
+pub(super) fn ring(cluster: &[Spot], centre: [f64; 2]) -> Option<(f64, f64)> {
+    let origin = cluster[0].height;
+    let radius = |s: &Spot| distance(s.at, centre);
+    let radii: Vec<f64> = cluster.iter().map(radius).collect();
+    let (least, most) = radii.iter().fold((f64::INFINITY, 0.0f64), |(l, m), &r| (l.min(r), m.max(r)));
+    let scale = most.max(f64::MIN_POSITIVE);
+    // About an axis that the face reaches the parabola is level there.
+    let cap = least < 0.2 * most;
+    let row = |(s, r): (&Spot, &f64)| {
+        let x = r / scale;
+        ([1.0, if cap { 0.0 } else { x }, x * x], s.height - origin)
+    };
+    let rows = || cluster.iter().zip(&radii).map(row);
+    let [a, b, c] = if cap {
+        let [a, c] = least_squares(rows().map(|(x, y)| ([x[0], x[2]], y)))?;
+        [a, 0.0, c]
+    } else {
+        least_squares(rows())?
+    };
+    let level = (-b / (2.0 * c)).clamp(least / scale, 1.0);
+    let level = if cap { 0.0 } else { level };
+    let rest: Vec<f64> = rows().map(|(x, y)| y - a * x[0] - b * x[1] - c * x[2]).collect();
+    Some((origin + a + b * level + c * level * level, middle(&rest).1))
+}
+
+/// Heights as a parabola over one or both of two axes across each other.
+struct Crest {
+    origin: [f64; 2],
+    axes: [[f64; 2]; 2],
+    reach: f64,
+    /// Height at the origin; slope and bend along each axis, over the reach.
+    height: f64,
+    slopes: [f64; 2],
+    bends: [f64; 2],
+}
+
+/// The level height and the spread about a parabola over both coordinates. Where it is bent one way only, as over a bore,
+/// that way alone counts; not a number where it is slanted and nowhere level. The planes of noisy points lean by chance,
+/// so that those which seem level lie off the surface: once it is known, all `spots` near it tell.
+pub(super) fn crest(cluster: &[Spot], spots: &[Spot], h: f64, noise: f64) -> Option<(f64, f64, usize)> {
+    let (first, spread) = Crest::fit(cluster)?;
+    let reach = (3.0 * noise + 0.2) * h;
+    let leans = |s: &Spot| s.normal[2].abs() < ACROSS;
+    let near = |s: &&Spot| !leans(s) && first.holds(s) && (s.height - first.at(s)).abs() <= reach;
+    let more: Vec<Spot> = spots.iter().filter(near).copied().collect();
+    let again = if more.len() >= cluster.len() / 2 { Crest::fit(&more) } else { None };
+    let (found, spread, count) = match again {
+        Some((found, spread)) => (found, spread, more.len()),
+        None => (first, spread, cluster.len()),
+    };
+    Some((found.level((0.5 * h).max(spread)), spread, count))
+}
+
+impl Crest {
+    /// The parabola through points and the spread about it; `None` where they are not bent.
+    fn fit(points: &[Spot]) -> Option<(Crest, f64)> {
+        let n = points.len() as f64;
+        let mean = |of: &dyn Fn(&Spot) -> f64| points.iter().map(of).sum::<f64>() / n;
+        let origin = [mean(&|s| s.at[0]), mean(&|s| s.at[1])];
+        let base = mean(&|s| s.height);
+        let mut all = Crest {
+            origin,
+            axes: [[1.0, 0.0], [0.0, 1.0]],
+            reach: 1.0,
+            height: base,
+            slopes: [0.0; 2],
+            bends: [0.0; 2],
+        };
+        all.reach = points
+            .iter()
+            .map(|s| all.place(s))
+            .fold(f64::MIN_POSITIVE, |r, [x, y]| r.max(x.abs()).max(y.abs()));
+        let row = |s: &Spot| {
+            let [x, y] = all.place(s);
+            ([1.0, x, y, x * x, x * y, y * y], s.height - base)
+        };
+        let [_, _, _, xx, xy, yy] = least_squares(points.iter().map(row))?;
+        let (sine, cosine) = (0.5 * xy.atan2(xx - yy)).sin_cos();
+        all.axes = [[cosine, sine], left([cosine, sine])];
+        let row = |s: &Spot| {
+            let [u, v] = all.place(s);
+            ([1.0, u, v, u * u, v * v], s.height - base)
+        };
+        let [a, bu, bv, cu, cv] = least_squares(points.iter().map(row))?;
+        (all.height, all.slopes, all.bends) = (base + a, [bu, bv], [cu, cv]);
+        let spread = all.spread(points);
+        let bent = [0, 1].map(|k| all.bends[k].abs() * all.power(points, k) > CLEAR_BEND * 0.5 * spread);
+        let [across, along] = match bent {
+            [true, true] => return Some((all, spread)),
+            [true, false] => [0, 1],
+            [false, true] => [1, 0],
+            [false, false] => return None,
+        };
+        let row = |s: &Spot| {
+            let at = all.place(s);
+            ([1.0, at[across], at[along], at[across] * at[across]], s.height - base)
+        };
+        let [a, b, slope, c] = least_squares(points.iter().map(row))?;
+        all.height = base + a;
+        (all.slopes[across], all.slopes[along]) = (b, slope);
+        (all.bends[across], all.bends[along]) = (c, 0.0);
+        let spread = all.spread(points);
+        Some((all, spread))
+    }
+
+    /// A point along both axes, over the reach.
+    fn place(&self, s: &Spot) -> [f64; 2] {
+        let d = [s.at[0] - self.origin[0], s.at[1] - self.origin[1]];
+        self.axes.map(|axis| dot(d, axis) / self.reach)
+    }
+
+    /// Whether a point lies among those that were fitted.
+    fn holds(&self, s: &Spot) -> bool {
+        self.place(s).iter().all(|x| x.abs() <= 1.0)
+    }
+
+    /// The height here.
+    fn at(&self, s: &Spot) -> f64 {
+        let at = self.place(s);
+        (0..2).fold(self.height, |z, k| z + self.slopes[k] * at[k] + self.bends[k] * at[k] * at[k])
+    }
+
+    fn spread(&self, points: &[Spot]) -> f64 {
+        middle(&points.iter().map(|s| s.height - self.at(s)).collect::<Vec<_>>()).1
+    }
+
+    /// Root of the sum of squares about the mean of the squared coordinate: standard errors of the bend go by its inverse.
+    fn power(&self, points: &[Spot], k: usize) -> f64 {
+        let squares: Vec<f64> = points.iter().map(|s| self.place(s)[k].powi(2)).collect();
+        let mean = squares.iter().sum::<f64>() / squares.len() as f64;
+        squares.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>().sqrt()
+    }
+
+    /// The height where it is level; not a number where a slope of more than `steep` over the reach has no such place.
+    fn level(&self, steep: f64) -> f64 {
+        let mut height = self.height;
+        for (slope, bend) in self.slopes.into_iter().zip(self.bends) {
+            let place = -slope / (2.0 * bend);
+            if bend != 0.0 && place.abs() <= OUTSIDE {
+                height += 0.5 * slope * place;
+            } else if slope.abs() > steep {
+                return f64::NAN;
+            }
+        }
+        height
+    }
+}
