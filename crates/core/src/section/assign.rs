@@ -1,11 +1,11 @@
 //! Which contour each sample belongs to, and where along it.
 
 use super::ascending::dealt;
-use super::band::{Band, Mark, segment, segments};
+use super::band::{Band, Mark, segments};
 use super::carry::Sample;
 use super::chain::{Chain, NO_NODE};
 use super::packed::Packed;
-use super::vec2::{along, cross, distance, dot, onto, sub, unit};
+use super::vec2::{along, cross, dot, sub};
 
 /// Gives every sample that is `free` to the nearest contour that runs its way; samples near none are left out.
 ///
@@ -58,15 +58,15 @@ fn search(samples: &[Sample], wanted: &[u32], bands: &[Band], best: &mut [Place]
     let (tree, mut found) = (Packed::new(&feet), Vec::new());
     for (b, band) in bands.iter().enumerate() {
         for v in 0..segments(band) {
-            let (from, to) = segment(band, v);
-            let (length, spacing) = (distance(from, to), band.chain.vertices[v].spacing);
+            let (from, way, length) = (band.chain.vertices[v].at, band.ways[v], band.reach(v));
+            let spacing = band.chain.vertices[v].spacing;
             // Long segments are looked along in balls of a few spacings, not in one large one.
             let pieces = (length / (3.0 * spacing)).ceil().clamp(1.0, 1e6) as usize;
             for k in 0..pieces {
-                let middle = along(from, sub(to, from), (k as f64 + 0.5) / pieces as f64);
+                let middle = along(from, way, length * (k as f64 + 0.5) / pieces as f64);
                 tree.within(middle, 0.5 * length / pieces as f64 + REACH * spacing, &mut found);
                 for i in found.iter().map(|&k| wanted[k as usize] as usize) {
-                    best[i].meet(&samples[i], b as u32, band.arcs[v], [from, to]);
+                    best[i].meet(&samples[i], b as u32, band, v);
                 }
             }
         }
@@ -101,23 +101,25 @@ impl Place {
                 (vertex + step).checked_sub(2)
             };
             if let Some(v) = v.filter(|&v| v < n) {
-                self.meet(sample, b, band.arcs[v], segment(band, v).into());
+                self.meet(sample, b, band, v);
             }
         }
     }
 
-    /// Takes a segment, which begins at `start` along its contour, if it is nearer and runs the sample's way.
-    fn meet(&mut self, sample: &Sample, band: u32, start: f64, [from, to]: [[f64; 2]; 2]) {
-        let (share, off) = onto(from, to, sample.foot);
-        if off >= self.off || off > sample.spacing {
+    /// Takes a segment of the band `b` if it is nearer and runs the sample's way.
+    fn meet(&mut self, sample: &Sample, b: u32, band: &Band, v: usize) {
+        let (from, way) = (band.chain.vertices[v].at, band.ways[v]);
+        let apart = sub(sample.foot, from);
+        let ahead = dot(apart, way).min(band.reach(v)).max(0.0);
+        let gap = along(apart, way, -ahead);
+        let off2 = dot(gap, gap);
+        if off2 >= self.off * self.off || off2 > sample.spacing * sample.spacing {
             return;
         }
-        let direction = unit(sub(to, from));
-        let across = ACROSS * sample.spacing * cross(direction, sample.tangent);
-        let off = (off * off + across * across).sqrt();
-        if off < self.off && dot(direction, sample.tangent).abs() >= 0.6 {
-            let growth = cross(sample.drift, direction);
-            *self = Place { off, band, arc: start + share * distance(from, to), growth };
+        let across = ACROSS * sample.spacing * cross(way, sample.tangent);
+        let off = (off2 + across * across).sqrt();
+        if off < self.off && dot(way, sample.tangent).abs() >= 0.6 {
+            *self = Place { off, band: b, arc: band.arcs[v] + ahead, growth: cross(sample.drift, way) };
         }
     }
 }

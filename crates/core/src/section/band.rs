@@ -3,7 +3,7 @@
 use super::chain::Chain;
 use super::ruler::Ruler;
 use super::surface::quantile;
-use super::vec2::{along, distance, sub};
+use super::vec2::{along, distance, sub, unit};
 use std::ops::Range;
 
 /// What an outline is drawn from of a sample, with its place along a contour.
@@ -41,6 +41,8 @@ pub(crate) struct Band {
     pub chain: Chain,
     /// Arc of each vertex.
     pub arcs: Vec<f64>,
+    /// Unit direction of each segment; zero for one without length.
+    pub ways: Vec<[f64; 2]>,
     /// Length of the polyline, the closing segment included.
     pub length: f64,
     /// Ascending by arc, ties by source.
@@ -76,8 +78,27 @@ impl Band {
         }
         let length = chain.length();
         let vertex_ruler = Ruler::new(arcs.iter().copied(), length);
-        let (marks, blurs) = (Vec::new(), vec![0.0]);
-        Self { chain, arcs, length, marks, vertex_ruler, mark_ruler: Ruler::default(), blurs }
+        let (ways, marks, blurs) = (Vec::new(), Vec::new(), vec![0.0]);
+        let mut band =
+            Self { chain, arcs, ways, length, marks, vertex_ruler, mark_ruler: Ruler::default(), blurs };
+        let way = |v: usize| {
+            let (from, to) = segment(&band, v);
+            unit(sub(to, from))
+        };
+        band.ways = (0..segments(&band)).map(way).collect();
+        band
+    }
+
+    /// Length of a segment.
+    pub(crate) fn reach(&self, v: usize) -> f64 {
+        self.arcs.get(v + 1).unwrap_or(&self.length) - self.arcs[v]
+    }
+
+    /// An arc of a closed band that may run over its seam, within the band.
+    pub(crate) fn wrapped(&self, arc: f64) -> f64 {
+        let inside = (0.0..self.length).contains(&arc) || !self.chain.closed || self.length <= 0.0;
+        // Seldom needed, and slow.
+        if inside { arc } else { arc.rem_euclid(self.length) }
     }
 
     /// Gives it its marks, ascending by arc.
@@ -107,14 +128,11 @@ impl Band {
 
     /// The point of the polyline at an arc; arcs of a closed band may run over its seam.
     pub(crate) fn at(&self, arc: f64) -> [f64; 2] {
-        let inside = (0.0..self.length).contains(&arc) || !self.chain.closed || self.length <= 0.0;
-        let arc = if inside { arc } else { arc.rem_euclid(self.length) };
-        let last = segments(self).saturating_sub(1);
+        let arc = self.wrapped(arc);
+        let Some(last) = self.ways.len().checked_sub(1) else { return self.chain.vertices[0].at };
         let v = self.vertex(arc).min(last);
-        let (from, to) = segment(self, v);
-        let length = distance(from, to);
-        let share = if length > 0.0 { ((arc - self.arcs[v]) / length).clamp(0.0, 1.0) } else { 0.0 };
-        along(from, sub(to, from), share)
+        let ahead = (arc - self.arcs[v]).min(self.reach(v)).max(0.0);
+        along(self.chain.vertices[v].at, self.ways[v], ahead)
     }
 
     /// Calls `visit` with every mark in the arc range, as (arc unrolled over the seam of a closed band, mark).

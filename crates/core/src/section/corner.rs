@@ -120,7 +120,7 @@ fn bends(band: &Band, v: usize) -> bool {
 
 /// The lines that come into and go out of a place, from samples between two arcs.
 fn sides(band: &Band, arc: f64, noise: f64, (low, high): (f64, f64)) -> Option<(Local, Local, f64)> {
-    let h = spacing_at(band, arc.rem_euclid(band.length.max(f64::MIN_POSITIVE)));
+    let h = spacing_at(band, band.wrapped(arc));
     let (near, far) = (0.5 * h, (1.2 + width(band, arc, h, noise)) * h);
     if !band.chain.closed && (arc < 1.2 * h || arc > band.length - 1.2 * h) {
         return None;
@@ -136,7 +136,7 @@ fn sides(band: &Band, arc: f64, noise: f64, (low, high): (f64, f64)) -> Option<(
 }
 
 fn turn_at(band: &Band, arc: f64, noise: f64, room: (f64, f64)) -> f64 {
-    let step = 2.0 * spacing_at(band, arc.rem_euclid(band.length.max(f64::MIN_POSITIVE)));
+    let step = 2.0 * spacing_at(band, band.wrapped(arc));
     let (before, at, after) = (band.at(arc - step), band.at(arc), band.at(arc + step));
     if straight(sub(at, before), sub(after, at)) {
         return 0.0;

@@ -21,7 +21,7 @@ pub(crate) fn measure(points: &[[f64; 2]], closed: bool) -> Extent {
     let (mut length, mut twice, mut line, mut face) = (0.0, 0.0, [0.0; 2], [0.0; 2]);
     let count = if closed { points.len() } else { points.len() - 1 };
     for i in 0..count {
-        let (a, b) = (points[i], points[(i + 1) % points.len()]);
+        let (a, b) = (points[i], points[if i + 1 == points.len() { 0 } else { i + 1 }]);
         let step = distance(a, b);
         let (a, b) = ([a[0] - origin[0], a[1] - origin[1]], [b[0] - origin[0], b[1] - origin[1]]);
         let wedge = cross(a, b);

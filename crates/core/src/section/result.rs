@@ -167,12 +167,13 @@ pub(crate) fn contours(drawn: Vec<Drawn>, tolerance: Option<f64>) -> Vec<Contour
 fn contour(drawn: Drawn, parent: Option<usize>, depth: usize, tolerance: Option<f64>) -> Contour {
     let Drawn { mut chain, growth } = drawn;
     let wanted = if depth.is_multiple_of(2) { 1.0 } else { -1.0 };
-    let turn = nest::measure(&chain.points(), chain.closed).area;
+    let extent = nest::measure(&chain.points(), chain.closed);
+    let (turn, mut area) = (extent.area, extent.area);
     if turn * wanted < 0.0 {
         chain.vertices.reverse();
+        area = -area;
     }
     let flat = chain.points();
-    let extent = nest::measure(&flat, chain.closed);
     let pieces = tolerance.map_or(Vec::new(), |t| curve::fit(&chain.vertices, chain.closed, t));
     let corners = chain.vertices.iter().enumerate().filter(|(_, v)| v.corner).map(|(k, _)| k).collect();
     Contour {
@@ -181,7 +182,7 @@ fn contour(drawn: Drawn, parent: Option<usize>, depth: usize, tolerance: Option<
         closed: chain.closed,
         parent,
         depth,
-        area: extent.area,
+        area,
         length: extent.length,
         // Right of a counter-clockwise contour is outside.
         draft_deg: chain

@@ -133,7 +133,7 @@ fn stretch(band: &Band, noise: f64, from: f64, to: f64, corner: bool, vertices: 
     let (low, high) = if whole { (f64::NEG_INFINITY, f64::INFINITY) } else { (from, to) };
     for k in usize::from(corner)..pieces {
         let arc = from + (to - from) * k as f64 / pieces as f64;
-        let local_h = spacing_at(band, arc.rem_euclid(band.length.max(1e-300)));
+        let local_h = spacing_at(band, band.wrapped(arc));
         if let Some(local) = parabola(band, arc, width(band, arc, local_h, noise) * local_h, low, high) {
             // Far from the polyline the regression runs away on too few samples.
             let at = if distance(local.at, band.at(arc)) <= local_h { local.at } else { band.at(arc) };
