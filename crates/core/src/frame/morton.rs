@@ -2,6 +2,8 @@
 
 /// Bits an axis in one code.
 pub(super) const BITS: u32 = 21;
+/// Levels of cells that share a bucket when points are sorted.
+pub(super) const BUCKET_LEVELS: u32 = 4;
 /// Codes a point can have, each refining the cell of the one before. Past them positions are compared.
 pub(super) const DEPTHS: u32 = 3;
 /// Levels of cells below the root.
@@ -46,8 +48,17 @@ impl Grid {
         for _ in 0..depth {
             x = x.map(|x| (x - x.floor()) * f64::from(1u32 << BITS));
         }
-        let [x, y, z] = x.map(|x| spread(x as u64));
+        // Cells have 21 bits, and processors turn into signed integers fastest.
+        let [x, y, z] = x.map(|x| spread(x as i32 as u64));
         x << 2 | y << 1 | z
+    }
+
+    /// The upper `3 * BUCKET_LEVELS` bits of a point's first code.
+    #[inline]
+    pub(super) fn bucket(&self, relative: [f64; 3]) -> usize {
+        let [x, y, z] = relative.map(|x| (x * self.to_cell) as i32 as usize >> (BITS - BUCKET_LEVELS));
+        let spread = |x: usize| SPREAD[x & (SPREAD.len() - 1)] as usize;
+        spread(x) << 2 | spread(y) << 1 | spread(z)
     }
 
     /// A power of two near the mean spacing: half the side of the finest cells that hold two or more points on
@@ -78,8 +89,19 @@ fn power_of_two(e: i32) -> f64 {
     f64::from_bits(((e + 1023) as u64) << 52)
 }
 
+/// Bits with two zeros between them, for buckets.
+const SPREAD: [u16; 1 << BUCKET_LEVELS] = {
+    let mut spread = [0; 1 << BUCKET_LEVELS];
+    let mut x = 0;
+    while x < spread.len() {
+        spread[x] = self::spread(x as u64) as u16;
+        x += 1;
+    }
+    spread
+};
+
 /// Puts two zeros between the lowest 21 bits.
-fn spread(x: u64) -> u64 {
+const fn spread(x: u64) -> u64 {
     let x = x & 0x1f_ffff;
     let x = (x | x << 32) & 0x001f_0000_0000_ffff;
     let x = (x | x << 16) & 0x001f_0000_ff00_00ff;

@@ -1,20 +1,22 @@
 //! Sorting points into canonical order: Morton order as deep as their coordinates differ, equal points by index.
 //!
 //! A first pass deals the points of each chunk of the input into buckets by the upper bits of their codes, a second
-//! gathers each bucket and sorts it in cache. Points travel with their codes, so that nothing is fetched from all
-//! over the memory. Both passes run in parallel, and nothing depends on how.
+//! gathers each bucket and sorts it in cache. Points travel between them, so that nothing is fetched from all
+//! over the memory, but not their codes: to work them out twice costs less than to write them down. Both passes run in parallel, and nothing depends on how.
 
 use rayon::prelude::*;
 
-use super::morton::{BITS, DEPTHS, Grid, LEVELS, Levels, finite};
+use super::morton::{BITS, BUCKET_LEVELS, DEPTHS, Grid, LEVELS, Levels, finite};
 
 /// A Morton code (64 bits), the index of its point in the input (32) and its place in the bucket (32), in one
 /// number that sorts by them.
 type Entry = u128;
 
-/// Bits of a code that choose its bucket: four levels of cells.
-const BUCKET_BITS: u32 = 12;
+/// Bits of a code that choose its bucket.
+const BUCKET_BITS: u32 = 3 * BUCKET_LEVELS;
 const BUCKETS: usize = 1 << BUCKET_BITS;
+/// The bucket of a point that is not finite.
+const NOWHERE: u16 = u16::MAX;
 /// Bits in which the codes of one bucket differ.
 const CODE_BITS: u32 = 3 * BITS - BUCKET_BITS;
 /// Most entries whose places fit into a word beside those bits.
@@ -65,9 +67,11 @@ pub(super) fn canonical(grid: &Grid, points: &[[f64; 3]]) -> Ordered {
     Ordered { relative, source, levels: add(levels, within) }
 }
 
-/// A chunk of the input, bucket by bucket.
+/// The finite points of a chunk of the input, bucket by bucket.
 struct Dealt {
-    entries: Vec<Entry>,
+    /// `(M)` indices in the input, ascending in each bucket.
+    source: Vec<u32>,
+    /// `(M, 3)` f64 from the least corner.
     relative: Vec<[f64; 3]>,
     /// `(BUCKETS + 1)` where buckets begin.
     starts: Vec<u32>,
@@ -83,21 +87,24 @@ fn deal(grid: &Grid, points: &[[f64; 3]]) -> Vec<Dealt> {
 
 impl Dealt {
     fn new(grid: &Grid, points: &[[f64; 3]], first: u32) -> Dealt {
-        let bucket = |e: Entry| (e >> (64 + 3 * BITS - BUCKET_BITS)) as usize;
-        let kept = points.iter().zip(first..).filter(|(p, _)| finite(p));
-        let coded: Vec<Entry> = kept.map(|(&p, i)| entry(grid.code(grid.relative(p), 0), i, 0)).collect();
+        let bucket = |p: &[f64; 3]| match finite(p) {
+            true => grid.bucket(grid.relative(*p)) as u16,
+            false => NOWHERE,
+        };
+        let buckets: Vec<u16> = points.iter().map(bucket).collect();
+        let kept = || (0u32..).zip(&buckets).filter(|(_, b)| **b != NOWHERE);
         let mut starts = vec![0; BUCKETS + 1];
-        coded.iter().for_each(|&e| starts[bucket(e) + 1] += 1);
+        kept().for_each(|(_, &b)| starts[b as usize + 1] += 1);
         (0..BUCKETS).for_each(|b| starts[b + 1] += starts[b]);
-        let mut next = starts.clone();
-        let (mut entries, mut relative) = (vec![0; coded.len()], vec![[0.0; 3]; coded.len()]);
-        for e in coded {
-            let place = &mut next[bucket(e)];
-            entries[*place as usize] = e;
-            relative[*place as usize] = grid.relative(points[(index(e) - first) as usize]);
+        let (mut next, count) = (starts.clone(), starts[BUCKETS] as usize);
+        let (mut source, mut relative) = (vec![0; count], vec![[0.0; 3]; count]);
+        for (i, &b) in kept() {
+            let place: &mut u32 = &mut next[b as usize];
+            source[*place as usize] = first + i;
+            relative[*place as usize] = grid.relative(points[i as usize]);
             *place += 1;
         }
-        Dealt { entries, relative, starts }
+        Dealt { source, relative, starts }
     }
 
     fn range(&self, b: usize) -> std::ops::Range<usize> {
@@ -119,56 +126,70 @@ fn index(entry: Entry) -> u32 {
 
 /// The points of one bucket. Its memory serves one bucket after the other; the levels add up.
 struct Bucket {
-    entries: Vec<Entry>,
-    words: Vec<u64>,
-    unsorted: Vec<Entry>,
+    /// `(M, 3)` f64 from the least corner, in the order of the input.
     relative: Vec<[f64; 3]>,
+    /// `(M)` indices in the input.
+    source: Vec<u32>,
+    words: Vec<u64>,
+    entries: Vec<Entry>,
+    /// Where among the points those of the canonical order are.
+    places: Vec<u32>,
     levels: Levels,
 }
 
 impl Default for Bucket {
     fn default() -> Self {
-        let [entries, unsorted] = [Vec::new(), Vec::new()];
-        Bucket { entries, words: Vec::new(), unsorted, relative: Vec::new(), levels: [0; LEVELS + 1] }
+        let [source, places] = [Vec::new(), Vec::new()];
+        let (relative, words, entries, levels) = (Vec::new(), Vec::new(), Vec::new(), [0; LEVELS + 1]);
+        Bucket { relative, source, words, entries, places, levels }
     }
 }
 
 impl Bucket {
     fn gather(&mut self, dealt: &[Dealt], b: usize) {
-        self.entries.clear();
+        self.source.clear();
         self.relative.clear();
         for chunk in dealt {
-            let places = self.relative.len() as Entry..;
-            self.entries.extend(chunk.entries[chunk.range(b)].iter().zip(places).map(|(e, place)| e | place));
+            self.source.extend_from_slice(&chunk.source[chunk.range(b)]);
             self.relative.extend_from_slice(&chunk.relative[chunk.range(b)]);
         }
     }
 
     fn sort(&mut self, grid: &Grid) {
-        if self.entries.len() <= SMALL {
-            self.sort_small();
-        } else {
-            sort(&mut self.entries);
+        self.places.clear();
+        if self.relative.len() <= SMALL && self.sort_small(grid) {
+            return;
         }
+        let entries = self.relative.iter().zip(&self.source).zip(0..);
+        self.entries.clear();
+        self.entries.extend(entries.map(|((&p, &i), place)| entry(grid.code(p, 0), i, place)));
+        sort(&mut self.entries);
         refine(grid, &mut self.entries, &self.relative, 0, &mut self.levels);
+        self.places.extend(self.entries.iter().map(|&e| e as u32));
     }
 
-    /// Sorts by what the codes of one bucket differ in, and by place, which for equal codes is the order of the indices:
-    /// both go into one word.
-    fn sort_small(&mut self) {
-        let word = |e: &Entry| code(*e) << (64 - CODE_BITS) | u64::from(*e as u32);
+    /// Sorts by what the codes of one bucket differ in, with the places in the same words. Gives whether all codes differ:
+    /// else nothing is settled.
+    fn sort_small(&mut self, grid: &Grid) -> bool {
+        let word = |(&p, place): (&[f64; 3], u64)| grid.code(p, 0) << (64 - CODE_BITS) | place;
         self.words.clear();
-        self.words.extend(self.entries.iter().map(word));
+        self.words.extend(self.relative.iter().zip(0..).map(word));
         self.words.sort_unstable();
-        self.unsorted.clone_from(&self.entries);
-        let places = self.words.iter().map(|w| *w as usize & (SMALL - 1));
-        self.entries.iter_mut().zip(places).for_each(|(entry, place)| *entry = self.unsorted[place]);
+        let shared = |pair: &[u64]| (pair[0] ^ pair[1]).leading_zeros();
+        if self.words.windows(2).any(|pair| shared(pair) >= CODE_BITS) {
+            return false;
+        }
+        for pair in self.words.windows(2) {
+            self.levels[(BUCKET_BITS + shared(pair)) as usize / 3] += 1;
+        }
+        self.places.extend(self.words.iter().map(|w| (*w as usize & (SMALL - 1)) as u32));
+        true
     }
 
     fn emit(&self, relative: &mut [[f64; 3]], source: &mut [u32]) {
-        for ((&e, relative), source) in self.entries.iter().zip(relative).zip(source) {
-            *relative = self.relative[e as u32 as usize];
-            *source = index(e);
+        for ((&place, relative), source) in self.places.iter().zip(relative).zip(source) {
+            *relative = self.relative[place as usize];
+            *source = self.source[place as usize];
         }
     }
 }

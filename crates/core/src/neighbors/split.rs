@@ -11,8 +11,9 @@ const PLACE_BITS: u32 = BLOCK.ilog2();
 /// Cells along the longest side of a block.
 const CELLS: u32 = 1 << (u32::BITS - PLACE_BITS);
 
-/// The cells of the points of a block, axis by axis.
-type Cells = [[u32; BLOCK]; 3];
+/// The cells of the points of a block along the three axes; the fourth number is not used. Cells have 22 bits, which `f32`
+/// holds exactly, and every processor compares four of those at once.
+type Cells = [[f32; 4]; BLOCK];
 
 /// Divides at most [`BLOCK`] points, of which the first has the index `first`, into leaves, all but the last full. Ties fall
 /// to the lower index.
@@ -30,11 +31,11 @@ fn cells(points: &[[f64; 3]]) -> Cells {
     let around = points.iter().fold(Aabb::EMPTY, |b, &p| b.join(&Aabb { min: p, max: p }));
     let longest = (0..3).map(|a| around.max[a] - around.min[a]).fold(0.0, f64::max);
     let per_length = if longest > 0.0 { f64::from(CELLS - 1) / longest } else { 0.0 };
-    let mut cells = [[0; BLOCK]; 3];
-    for axis in 0..3 {
-        for (cell, p) in cells[axis].iter_mut().zip(points) {
-            *cell = (((p[axis] - around.min[axis]) * per_length) as u32).min(CELLS - 1);
-        }
+    let cell =
+        |p: &[f64; 3], a: usize| (((p[a] - around.min[a]) * per_length) as i32).min(CELLS as i32 - 1) as f32;
+    let mut cells = [[0.0; 4]; BLOCK];
+    for (cells, p) in cells.iter_mut().zip(points) {
+        *cells = [cell(p, 0), cell(p, 1), cell(p, 2), 0.0];
     }
     cells
 }
@@ -48,8 +49,9 @@ fn halve(cells: &Cells, words: &mut [u32], leaves: usize) {
     if words.len() <= WIDTH {
         return;
     }
-    let cells_of = &cells[longest(cells, words)];
-    words.iter_mut().for_each(|word| *word = cells_of[place(*word)] << PLACE_BITS | place(*word) as u32);
+    let axis = longest(cells, words);
+    let word = |place: usize| (cells[place][axis] as u32) << PLACE_BITS | place as u32;
+    words.iter_mut().for_each(|w| *w = word(place(*w)));
     let half = leaves.next_power_of_two() / 2;
     words.select_nth_unstable(half * WIDTH);
     let (low, high) = words.split_at_mut(half * WIDTH);
@@ -59,14 +61,16 @@ fn halve(cells: &Cells, words: &mut [u32], leaves: usize) {
 
 /// The axis along which points reach farthest, the first of equal ones.
 fn longest(cells: &Cells, words: &[u32]) -> usize {
-    let side = |axis: &[u32; BLOCK]| {
-        let bounds =
-            |(low, high): (u32, u32), word: &u32| (low.min(axis[place(*word)]), high.max(axis[place(*word)]));
-        let (low, high) = words.iter().fold((u32::MAX, 0), bounds);
-        high - low
-    };
-    let sides = [0, 1, 2].map(|a| side(&cells[a]));
-    (1..3).fold(0, |best, a| if sides[a] > sides[best] { a } else { best })
+    let (mut low, mut high) = ([f32::INFINITY; 4], [f32::NEG_INFINITY; 4]);
+    for word in words {
+        let cell = &cells[place(*word)];
+        for a in 0..4 {
+            low[a] = if cell[a] < low[a] { cell[a] } else { low[a] };
+            high[a] = if cell[a] > high[a] { cell[a] } else { high[a] };
+        }
+    }
+    let side = |a: usize| high[a] - low[a];
+    (1..3).fold(0, |best, a| if side(a) > side(best) { a } else { best })
 }
 
 #[cfg(test)]

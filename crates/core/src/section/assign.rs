@@ -1,5 +1,7 @@
 //! Which contour each sample belongs to, and where along it.
 
+use std::ops::Range;
+
 use super::ascending::dealt;
 use super::band::{Band, Mark, segments};
 use super::carry::Sample;
@@ -55,21 +57,47 @@ fn search(samples: &[Sample], wanted: &[u32], bands: &[Band], best: &mut [Place]
     if feet.is_empty() {
         return;
     }
-    let (tree, mut found) = (Packed::new(&feet), Vec::new());
+    let tree = Packed::new(&feet);
     for (b, band) in bands.iter().enumerate() {
-        for v in 0..segments(band) {
-            let (from, way, length) = (band.chain.vertices[v].at, band.ways[v], band.reach(v));
-            let spacing = band.chain.vertices[v].spacing;
-            // Long segments are looked along in balls of a few spacings, not in one large one.
-            let pieces = (length / (3.0 * spacing)).ceil().clamp(1.0, 1e6) as usize;
-            for k in 0..pieces {
-                let middle = along(from, way, length * (k as f64 + 0.5) / pieces as f64);
-                tree.within(middle, 0.5 * length / pieces as f64 + REACH * spacing, &mut found);
-                for i in found.iter().map(|&k| wanted[k as usize] as usize) {
-                    best[i].meet(&samples[i], b as u32, band, v);
+        let all = segments(band);
+        for first in (0..all).step_by(STRETCH) {
+            let stretch = first..(first + STRETCH).min(all);
+            // Samples to look for are few and together: most stretches have none.
+            let (centre, radius) = around(band, stretch.clone());
+            if tree.any(centre, radius) {
+                for v in stretch {
+                    near(band, v, &tree, |k| {
+                        let i = wanted[k as usize] as usize;
+                        best[i].meet(&samples[i], b as u32, band, v);
+                    });
                 }
             }
         }
+    }
+}
+
+/// Segments that are first looked along together.
+const STRETCH: usize = 16;
+
+/// A ball that holds all that is near some segments of a band.
+fn around(band: &Band, stretch: Range<usize>) -> ([f64; 2], f64) {
+    let from = band.chain.vertices[stretch.start].at;
+    let length: f64 = stretch.clone().map(|v| band.reach(v)).sum();
+    let widest = stretch.map(|v| band.chain.vertices[v].spacing).fold(0.0, f64::max);
+    (from, length + REACH * widest)
+}
+
+/// Visits what lies near a segment of a band: long segments are looked along in balls of a few spacings, not in one large
+/// one.
+fn near(band: &Band, v: usize, tree: &Packed, mut visit: impl FnMut(u32)) {
+    let (from, way, length) = (band.chain.vertices[v].at, band.ways[v], band.reach(v));
+    let spacing = band.chain.vertices[v].spacing;
+    let pieces = (length / (3.0 * spacing)).ceil().clamp(1.0, 1e6) as usize;
+    let mut found = Vec::new();
+    for k in 0..pieces {
+        let middle = along(from, way, length * (k as f64 + 0.5) / pieces as f64);
+        tree.within(middle, 0.5 * length / pieces as f64 + REACH * spacing, &mut found);
+        found.iter().for_each(|&k| visit(k));
     }
 }
 

@@ -65,6 +65,10 @@ pub(crate) struct Carrier {
     down: [f64; 2],
     tangent: [f64; 2],
     blur: f64,
+    /// Where the middle of the tangent plane comes to lie.
+    origin: [f64; 2],
+    per_lift: f64,
+    per_bin: f64,
 }
 
 impl Carrier {
@@ -78,14 +82,19 @@ impl Carrier {
             return None;
         }
         let down = n[2] / sine2;
-        Some(Self {
+        let mut carrier = Self {
             patch,
             reach,
             sine,
             down: [down * n[0], down * n[1]],
             tangent: [-n[1] / sine, n[0] / sine],
             blur: (0.3 * reach.noise + 0.02) / sine,
-        })
+            origin: [0.0; 2],
+            per_lift: 1.0 / (sine * patch.spacing),
+            per_bin: 1.0 / (MERGED * patch.spacing),
+        };
+        carrier.origin = carrier.shifted(patch.centre);
+        Some(carrier)
     }
 
     fn shifted(&self, p: [f64; 3]) -> [f64; 2] {
@@ -115,28 +124,28 @@ impl Carrier {
         })
     }
 
-    /// The samples of points of one tile, those beside each other along the curve taken together.
-    pub(crate) fn merged(&self, points: impl Iterator<Item = [f64; 3]>, samples: &mut Vec<Sample>) {
-        let Patch { centre, spacing, .. } = self.patch;
-        let origin = self.shifted(centre);
-        let mut bins = [Bin::EMPTY; BINS];
-        let (per_lift, per_bin) = (1.0 / (self.sine * spacing), 1.0 / (MERGED * spacing));
-        for p in points {
-            let lift = p[2] * per_lift;
-            if lift.abs() > self.reach.far {
-                continue;
-            }
-            let raw = sub(self.shifted(p), origin);
-            let u = dot(raw, self.tangent);
-            let k = (u * per_bin + 0.5 * BINS as f64).clamp(0.0, BINS as f64 - 0.5) as usize;
-            bins[k].add(raw, u, lift);
+    /// Adds a point (third coordinate: height over the plane) to those beside it along the curve, unless it lies too far
+    /// off.
+    pub(crate) fn merge(&self, p: [f64; 3], bins: &mut Bins) {
+        let lift = p[2] * self.per_lift;
+        if lift.abs() > self.reach.far {
+            return;
         }
-        for bin in bins.iter().filter(|b| b.count > 0) {
+        let raw = sub(self.shifted(p), self.origin);
+        let u = dot(raw, self.tangent);
+        let k = (u * self.per_bin + 0.5 * BINS as f64).clamp(0.0, BINS as f64 - 0.5) as usize;
+        bins.0[k].add(raw, u, lift);
+    }
+
+    /// The samples of points of one plane, those beside each other along the curve taken together.
+    pub(crate) fn merged(&self, bins: &Bins, samples: &mut Vec<Sample>) {
+        let Patch { spacing, .. } = self.patch;
+        for bin in bins.0.iter().filter(|b| b.count > 0) {
             let share = 1.0 / bin.weight;
             let lift = share * bin.lift;
             samples.push(Sample {
-                raw: along(origin, bin.raw, share),
-                foot: along(origin, self.tangent, share * bin.u),
+                raw: along(self.origin, bin.raw, share),
+                foot: along(self.origin, self.tangent, share * bin.u),
                 tangent: self.tangent,
                 drift: self.down.map(|x| -x),
                 lift,
@@ -158,8 +167,16 @@ impl Carrier {
 
 /// Length along the curve, in spacings, over which the points of a tile are taken together.
 const MERGED: f64 = 1.2;
-/// Places for them: tiles are about four spacings long.
-const BINS: usize = 8;
+/// Places for them: a tile is about four spacings long, four that share a plane about eight.
+const BINS: usize = 12;
+
+/// The points of one plane, by their places along the curve.
+pub(crate) struct Bins([Bin; BINS]);
+
+impl Bins {
+    /// Without points.
+    pub(crate) const EMPTY: Bins = Bins([Bin::EMPTY; BINS]);
+}
 
 /// Sums over the points of a tile that lie beside each other along the curve.
 #[derive(Clone, Copy)]

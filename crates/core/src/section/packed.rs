@@ -17,10 +17,11 @@ pub(crate) struct Packed {
 /// Eight points, coordinate by coordinate; empty places are infinitely far.
 struct Leaf([[f64; WIDTH]; 2]);
 
-/// The boxes of eight children; those without a child are infinitely far.
+/// The boxes of eight children, made a little wider by rounding outwards: half the numbers, and twice as many of them compared
+/// at a time. Those without a child are infinitely far.
 struct Node {
-    min: [[f64; WIDTH]; 2],
-    max: [[f64; WIDTH]; 2],
+    min: [[f32; WIDTH]; 2],
+    max: [[f32; WIDTH]; 2],
 }
 
 /// Least and greatest coordinates.
@@ -47,21 +48,54 @@ impl Packed {
     pub(crate) fn within(&self, centre: [f64; 2], radius: f64, found: &mut Vec<u32>) {
         found.clear();
         if self.count > 0 {
-            self.descend(self.levels.len() - 1, 0, centre, radius * radius, found);
+            self.descend(self.levels.len() - 1, 0, &Ball::new(centre, radius), found);
         }
     }
 
-    fn descend(&self, level: usize, entry: usize, centre: [f64; 2], radius2: f64, found: &mut Vec<u32>) {
-        let mut near = self.levels[level][entry].within(centre, radius2);
-        while near != 0 {
-            let child = entry * WIDTH + near.trailing_zeros() as usize;
-            near &= near - 1;
+    /// Whether a leaf reaches within `radius` of `centre`: where none does, no point does.
+    pub(crate) fn any(&self, centre: [f64; 2], radius: f64) -> bool {
+        self.count > 0 && self.reaches(self.levels.len() - 1, 0, &Ball::new(centre, radius))
+    }
+
+    fn descend(&self, level: usize, entry: usize, ball: &Ball, found: &mut Vec<u32>) {
+        for child in self.near(level, entry, ball) {
             if level > 0 {
-                self.descend(level - 1, child, centre, radius2, found);
-            } else {
-                self.leaves[child].find(child * WIDTH, centre, radius2, found);
+                self.descend(level - 1, child, ball, found);
+            } else if let Some(leaf) = self.leaves.get(child) {
+                leaf.find(child * WIDTH, ball, found);
             }
         }
+    }
+
+    fn reaches(&self, level: usize, entry: usize, ball: &Ball) -> bool {
+        self.near(level, entry, ball).any(|child| level == 0 || self.reaches(level - 1, child, ball))
+    }
+
+    /// The children of a node whose boxes reach into a ball, as entries of the level below.
+    fn near(&self, level: usize, entry: usize, ball: &Ball) -> impl Iterator<Item = usize> + use<> {
+        let mut near = self.levels[level].get(entry).map_or(0, |node| node.within(ball));
+        std::iter::from_fn(move || {
+            let child = (near != 0).then(|| entry * WIDTH + near.trailing_zeros() as usize);
+            near &= near.wrapping_sub(1);
+            child
+        })
+    }
+}
+
+/// What is looked for: points within a radius, and the same for boxes, with room for rounding.
+struct Ball {
+    centre: [f64; 2],
+    radius2: f64,
+    middle: [f32; 2],
+    reach2: f32,
+}
+
+impl Ball {
+    fn new(centre: [f64; 2], radius: f64) -> Self {
+        let middle = centre.map(|x| x as f32);
+        // An f32 lies within 2^-24 of a number, and every step below rounds as much.
+        let reach = radius as f32 + (radius as f32 + middle[0].abs() + middle[1].abs()) * 4e-7;
+        Self { centre, radius2: radius * radius, middle, reach2: reach * reach * 1.000_001 }
     }
 }
 
@@ -74,44 +108,47 @@ impl Leaf {
         leaf
     }
 
-    fn find(&self, first: usize, centre: [f64; 2], radius2: f64, found: &mut Vec<u32>) {
-        let [x, y] = &self.0;
+    fn find(&self, first: usize, ball: &Ball, found: &mut Vec<u32>) {
+        let ([x, y], [u, v]) = (&self.0, ball.centre);
         // Without a branch for each point, which no processor would guess.
-        let (mut near, mut count) = ([0; WIDTH], 0);
+        let (mut near, mut count) = ([0; WIDTH], found.len());
         for place in 0..WIDTH {
-            let (dx, dy) = (x[place] - centre[0], y[place] - centre[1]);
-            near[count] = (first + place) as u32;
-            count += usize::from(dx * dx + dy * dy <= radius2);
+            let (dx, dy) = (x[place] - u, y[place] - v);
+            near[count - found.len()] = (first + place) as u32;
+            count += usize::from(dx * dx + dy * dy <= ball.radius2);
         }
-        found.extend_from_slice(&near[..count]);
+        // All of them, as to copy a number that is known takes no loop.
+        found.extend_from_slice(&near);
+        found.truncate(count);
     }
 }
 
 impl Node {
     fn new(children: &[Bounds]) -> Self {
-        let mut node = Node { min: [[f64::INFINITY; WIDTH]; 2], max: [[f64::INFINITY; WIDTH]; 2] };
+        let mut node = Node { min: [[f32::INFINITY; WIDTH]; 2], max: [[f32::INFINITY; WIDTH]; 2] };
         for (c, child) in children.iter().enumerate() {
             for axis in 0..2 {
-                node.min[axis][c] = child.min[axis];
-                node.max[axis][c] = child.max[axis];
+                node.min[axis][c] = (child.min[axis] as f32).next_down();
+                node.max[axis][c] = (child.max[axis] as f32).next_up();
             }
         }
         node
     }
 
-    /// The children whose boxes reach within the radius, a bit each. Every step is monotone, rounding included, so that no box
-    /// is farther than a point in it.
-    fn within(&self, centre: [f64; 2], radius2: f64) -> u32 {
+    /// The children whose boxes reach into a ball, a bit each, and perhaps some that miss it by rounding.
+    fn within(&self, ball: &Ball) -> u32 {
         let gap = |axis: usize, c: usize| {
-            let (below, above) = (self.min[axis][c] - centre[axis], centre[axis] - self.max[axis][c]);
+            let (below, above) =
+                (self.min[axis][c] - ball.middle[axis], ball.middle[axis] - self.max[axis][c]);
             let gap = if below > above { below } else { above };
             if gap > 0.0 { gap } else { 0.0 }
         };
-        let apart: [f64; WIDTH] = std::array::from_fn(|c| {
+        let mut apart = [0.0; WIDTH];
+        for c in 0..WIDTH {
             let (dx, dy) = (gap(0, c), gap(1, c));
-            dx * dx + dy * dy
-        });
-        apart.iter().enumerate().fold(0, |near, (c, &d)| near | u32::from(d <= radius2) << c)
+            apart[c] = dx * dx + dy * dy;
+        }
+        apart.iter().enumerate().fold(0, |near, (c, &d)| near | u32::from(d <= ball.reach2) << c)
     }
 }
 
@@ -142,13 +179,14 @@ mod tests {
             let points: Vec<[f64; 2]> = (0..count).map(point).collect();
             let (packed, mut found) = (Packed::new(&points), Vec::new());
             for centre in [[50.0, 3.0], [-3.0, 0.0], [20.0, 200.0]] {
-                for radius in [0.0, 11.0, 1e3] {
+                for radius in [0.0, 11.0, 1e3, 1e25] {
                     packed.within(centre, radius, &mut found);
                     let apart = |p: [f64; 2]| {
                         (p[0] - centre[0]) * (p[0] - centre[0]) + (p[1] - centre[1]) * (p[1] - centre[1])
                     };
                     let near = |&i: &u32| apart(points[i as usize]) <= radius * radius;
                     assert_eq!(found, (0..count as u32).filter(near).collect::<Vec<u32>>());
+                    assert!(found.is_empty() || packed.any(centre, radius));
                 }
             }
         }

@@ -4,12 +4,12 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use rayon::prelude::*;
 
-use super::carry::{Carrier, Reach, Sample};
+use super::carry::{Bins, Carrier, Reach, Sample};
 use super::params::{self, Cut, Outline, SectionParams, Side};
 use super::result::{self, Missing, Section, Sections};
 use super::slice::{self, Slabs, SliceFrame};
 use super::surface::{self, Patch, Surface, Texture};
-use super::tile::{Tile, Tiles};
+use super::tile::{QUAD, Tile, Tiles};
 use super::{adaptive, outline};
 use crate::error::Error;
 use crate::frame::Localised;
@@ -128,24 +128,30 @@ impl<'a> Slicer<'a> {
     /// How many points lie in a slab, and the samples of those that can be carried to its plane.
     fn samples(&self, slab: &[u32], surface: &Surface, height: f64) -> (usize, Vec<Sample>) {
         let half = self.half();
-        let (mut count, mut samples) = (0, Vec::with_capacity(4 * slab.len()));
-        for &leaf in slab {
-            let own = &self.index.leaves[leaf as usize];
-            let [x, y, z] = self.frame.axes.map(|axis| own.along(axis));
-            let points = (0..own.len()).map(|k| [x[k], y[k], z[k] - height]);
-            count += points.clone().filter(|p| p[2].abs() <= half).count();
-            let tile = surface.tile(leaf);
-            if tile.flat {
-                let Some(carrier) = self.carrier(&tile.patch, height) else { continue };
-                if self.merges() {
-                    carrier.merged(points, &mut samples);
-                } else {
-                    samples.extend(points.filter_map(|p| carrier.sample(p)));
+        let (mut count, mut samples) = (0, Vec::with_capacity(2 * slab.len()));
+        let tiles = &self.tiles.tiles;
+        let joined = |a: &u32, b: &u32| tiles[*a as usize].joined && *a as usize / QUAD == *b as usize / QUAD;
+        for leaves in slab.chunk_by(joined) {
+            let tile = surface.tile(leaves[0]);
+            let carrier = if tile.flat { self.carrier(&tile.patch, height) } else { None };
+            let mut bins = Bins::EMPTY;
+            for &leaf in leaves {
+                let own = &self.index.leaves[leaf as usize];
+                let [x, y, z] = self.frame.axes.map(|axis| own.along(axis));
+                let points = (0..own.len()).map(|k| [x[k], y[k], z[k] - height]);
+                count += points.clone().filter(|p| p[2].abs() <= half).count();
+                match &carrier {
+                    Some(carrier) if self.merges() => points.for_each(|p| carrier.merge(p, &mut bins)),
+                    Some(carrier) => samples.extend(points.filter_map(|p| carrier.sample(p))),
+                    None if tile.flat => (),
+                    None => {
+                        let patches = surface.fine(leaf as usize).into_iter().flatten();
+                        let sample = |(p, patch)| self.carrier(patch, height)?.sample(p);
+                        samples.extend(points.zip(patches).filter_map(sample));
+                    }
                 }
-            } else if let Some(patches) = surface.fine(leaf as usize) {
-                let sample = |(p, patch)| self.carrier(patch, height)?.sample(p);
-                samples.extend(points.zip(patches).filter_map(sample));
             }
+            carrier.iter().for_each(|carrier| carrier.merged(&bins, &mut samples));
         }
         (count, samples)
     }

@@ -24,6 +24,8 @@ pub(crate) struct Tile {
     pub patch: Patch,
     /// Whether that plane holds for each of them.
     pub flat: bool,
+    /// Whether the [`QUAD`] tiles it is one of share one plane, which is then the patch of each.
+    pub joined: bool,
     /// Whether its points do not show how it lies across.
     narrow: bool,
     /// Least and greatest height of its points across the slices, local frame.
@@ -99,7 +101,11 @@ fn mixed(leaves: &[Leaf], first: u32, tiles: &mut [Tile], spreads: &[Spread], no
         let own = q * QUAD..q * QUAD + spreads.len();
         let quad = quad(&tiles[own.clone()], spreads);
         if quad.spacing <= widest && quad.residual <= (1.15 * noise + 0.05) * quad.spacing {
-            for tile in tiles[own].iter_mut().filter(|t| t.narrow) {
+            let tiles = &mut tiles[own];
+            if joins(tiles, &quad) {
+                tiles.iter_mut().for_each(|tile| (tile.patch, tile.joined) = (quad, true));
+            }
+            for tile in tiles.iter_mut().filter(|t| t.narrow) {
                 tile.patch.normal = quad.normal;
             }
             planes.push(quad);
@@ -157,7 +163,17 @@ fn even(tiles: &mut [Tile]) -> f64 {
 const WIDE: f64 = 3.0;
 
 /// Leaves next to each other that show together whether they are flat.
-const QUAD: usize = 4;
+pub(super) const QUAD: usize = 4;
+
+/// Whether neighbouring tiles lie together on one plane as well as each on its own: no bend shows.
+fn joins(tiles: &[Tile], quad: &Patch) -> bool {
+    let own = tiles.iter().map(|t| t.patch.residual * t.patch.residual).sum::<f64>() / tiles.len() as f64;
+    let beside = |t: &Tile| t.flat && vec3::distance(t.patch.centre, quad.centre) <= TOGETHER * quad.spacing;
+    tiles.len() == QUAD && quad.residual <= 1.1 * own.sqrt() + 0.01 * quad.spacing && tiles.iter().all(beside)
+}
+
+/// How far from the middle of all four the middles of tiles that join may lie, in spacings: those in a row are too long.
+const TOGETHER: f64 = 4.0;
 
 /// The plane of neighbouring tiles; its residual is infinite where they do not show one.
 fn quad(tiles: &[Tile], spreads: &[Spread]) -> Patch {
@@ -192,7 +208,8 @@ fn farthest(noise: f64) -> f64 {
 }
 
 impl Tile {
-    const EMPTY: Tile = Tile { patch: Patch::NONE, flat: false, narrow: false, heights: (0.0, 0.0) };
+    const EMPTY: Tile =
+        Tile { patch: Patch::NONE, flat: false, joined: false, narrow: false, heights: (0.0, 0.0) };
 
     fn new(leaf: &Leaf, noise: f64, axis: [f64; 3]) -> (Self, Spread) {
         let heights = leaf.along(axis)[..leaf.len()]
@@ -211,7 +228,7 @@ impl Tile {
             && residual <= good(noise) * spacing
             && most_off(leaf, &patch) <= farthest(noise) * spacing;
         let narrow = sides.shorter < NARROW * spacing * spacing;
-        (Self { patch, flat, narrow, heights }, spread)
+        (Self { patch, flat, joined: false, narrow, heights }, spread)
     }
 }
 

@@ -28,12 +28,14 @@ impl<const D: usize> Tree<D> {
     fn descend(&self, low: usize, high: usize, centre: [f64; D], radius: f64, found: &mut Vec<u32>) {
         if high - low <= LEAF {
             // Without a branch for each point, which no processor would guess.
-            let (mut near, mut count) = ([0; LEAF], 0);
+            let (mut near, mut count) = ([0; LEAF], found.len());
             for &(point, i) in &self.places[low..high] {
-                near[count] = i;
+                near[count - found.len()] = i;
                 count += usize::from(distance2(point, centre) <= radius * radius);
             }
-            found.extend_from_slice(&near[..count]);
+            // All of them, as to copy a number that is known takes no loop.
+            found.extend_from_slice(&near);
+            found.truncate(count);
             return;
         }
         let middle = (low + high) / 2;

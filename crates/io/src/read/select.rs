@@ -8,6 +8,9 @@ use std::collections::HashMap;
 /// Keeps what the options ask for: first the box, then every n-th of what is in it, then one a voxel. Adds a sentence
 /// for each that drops points.
 pub(super) fn select(cloud: &mut Cloud, options: &ReadOptions, ignored: &mut Vec<String>) {
+    if options.bounds.is_none() && options.every.is_none() && options.voxel.is_none() {
+        return;
+    }
     let mut kept: Vec<usize> = (0..cloud.len()).collect();
     let mut step = |kept: &mut Vec<usize>, next: Vec<usize>, what: &str| {
         if next.len() < kept.len() {
