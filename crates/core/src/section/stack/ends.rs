@@ -8,6 +8,7 @@ mod face;
 mod fold;
 mod near;
 mod parts;
+mod rim;
 mod size;
 
 use rayon::prelude::*;
