@@ -39,6 +39,11 @@ fn all() -> Vec<Shape> {
         channel(),
         hollow_shaft(),
         tapered_hub(),
+        stepped_plate(),
+        ribbed_bracket(),
+        dovetail(),
+        pulley(),
+        manifold(),
     ]
 }
 

@@ -92,6 +92,12 @@ fn areas_are_right() {
         // Each of four half mantles loses the 4 r^2 that the other's quarter arcs cover: 8 r^2 a cylinder.
         (cylinders(1.0, 1.0), 2.0 * (10.0 * PI - 8.0) + 4.0 * PI),
         (counterbored_plate(), 30.0 + 16.0 * 1.2 + PI * (2.0 * 0.7 - 4.0 * 0.35 * 0.35 + 4.0 * 0.35 * 0.7)),
+        (
+            stepped_plate(),
+            30.0 + 6.0 * 1.6 + 2.0 * (1.6 * 2.6 + 0.8 * 2.4) + PI * (1.2 * 0.4 + 0.6 * 1.2 - 0.18 + 0.5),
+        ),
+        // The rib hides two strips of 0.6 by 2, and shows two triangles and its slope.
+        (ribbed_bracket(), 2.0 * 0.8 * 8.2 + 4.0 * 18.0 - 2.4 + 4.0 + 0.6 * 8f64.sqrt()),
         (slotted_plate(), 24.0 + 14.0 * 0.8 - 2.0 * (1.12 + PI * 0.16) + 0.8 * (2.8 + 0.8 * PI)),
     ];
     for (shape, area) in exact {
