@@ -4,7 +4,7 @@
 //! numbers of slices. A row tells of one part, view and noise: features named, the share of ends within 0.1 spacing,
 //! the worst, the share within twice of what the run states, the share of sizes (radii, apexes) within 0.1 spacing, the
 //! worst, and what is missing or named for nothing over all its clouds. `-v` tells of each, `-q` takes one seed, `-u`
-//! the parts that no method was tried on at first, `-n` those that came last, `-a` what the two rules for an automatic axis find on turned parts.
+//! the parts that no method was tried on at first, `-n` those that came last, `-a` what the three rules for an automatic axis find on turned parts.
 
 #[path = "../tests/naming/judge.rs"]
 mod judge;
@@ -111,7 +111,8 @@ fn main() {
 fn automatic(part: &Part) {
     let scan = Scan::new(Sampling::BlueNoise { count: part.count }).noise(0.1).seed(1);
     let cloud = part.shape.sample(&scan).map(1.0, turned).cloud;
-    for (rule, axis) in [("principal", Axis::Principal), ("thinnest", Axis::Thinnest)] {
+    for (rule, axis) in [("faces", Axis::Faces), ("principal", Axis::Principal), ("thinnest", Axis::Thinnest)]
+    {
         let params = SectionParams { axis, planes: Planes::Count(37), fit: true, ..SectionParams::default() };
         let Ok((sections, stack)) = section_observed(&cloud, &params, &|_| ()) else { continue };
         let found = sections.frame.axes[2];

@@ -33,6 +33,8 @@ pub(super) struct Reached {
     pub last: usize,
     pub feature: Feature,
     pub residual: f64,
+    /// Whether too little of it shows what it is, so that its ends must.
+    pub doubtful: bool,
 }
 
 /// The contours of a track, ascending, with what is asked of pairs of them more than once.

@@ -12,7 +12,7 @@ const SLANTED_DEG: (f64, f64) = (10.0, 40.0);
 pub(super) const FEWEST: usize = 8;
 const SHARE: f64 = 0.35;
 /// How far from an edge, in spacings, planes show one face: without noise, and what noise (in spacings) adds.
-const CLEAR: (f64, f64) = (1.6, 2.0);
+pub(super) const CLEAR: (f64, f64) = (1.6, 2.0);
 /// Cosine of the angle between axis and normal above which a plane is level: 4 degrees.
 const LEVEL: f64 = 0.9976;
 /// Cosine of the angle by which a slanted plane may fall aside.
@@ -43,17 +43,37 @@ pub(super) struct Fitted {
 
 /// The height at which the slanted walls beside an outline meet it.
 pub(super) fn fold(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<End> {
-    let all = meets(search, search.ahead_of_start(spots), h, noise);
+    let forward = (search.outer - search.inner).signum();
+    let straight = if search.upright { straight_fold(search, spots, h, noise) } else { None };
+    let level = rim::rim(search, spots, h, noise).filter(|f| search.holds_slow(f.ahead));
+    let (first, by) = match (straight, level) {
+        (Some(a), Some(b)) if a.ahead >= b.ahead - 0.5 * h => (b, By::Rim),
+        (Some(a), _) => (a, By::Fold),
+        (None, b) => (b?, By::Rim),
+    };
+    Some(End { height: search.inner + first.ahead * forward, error: first.error, by })
+}
+
+/// The height of a straight fold.
+fn straight_fold(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<Fitted> {
     let width = (0.4 + 2.5 * noise) * h;
     let forward = (search.outer - search.inner).signum();
-    let straight = straight(&all, width, h, noise).filter(|f| search.holds(search.inner + f.ahead * forward));
-    let level = rim::rim(search, spots, h, noise).filter(|f| search.holds_slow(f.ahead));
-    let first = match (straight, level) {
-        (Some(a), Some(b)) => Some(if a.ahead < b.ahead - 0.5 * h { a } else { b }),
-        (a, b) => a.or(b),
-    }?;
-    let height = search.inner + first.ahead * forward;
-    Some(End { height, error: first.error, by: By::Fold })
+    let near = |f: &Fitted| search.holds(search.inner + f.ahead * forward);
+    let all = meets(search, spots, h, noise);
+    let ahead = meets(search, search.ahead_of_start(spots), h, noise);
+    straight(&ahead, width, h, noise, Lies::Beyond)
+        .filter(near)
+        // Where a small part of the outline folds, slices some way beyond still nearly show it.
+        .or_else(|| straight(&all, width, h, noise, Lies::Beyond).filter(|f| search.holds_slow(f.ahead)))
+        .or_else(|| straight(&all, width, h, noise, Lies::Behind).filter(near))
+}
+
+/// Where a slanted wall lies, from the height at which it meets the outline: beyond it, or over the run's own wall as that of
+/// a dovetail does.
+#[derive(Clone, Copy, PartialEq)]
+enum Lies {
+    Beyond,
+    Behind,
 }
 
 /// Slanted planes that are clear of their edge, by where they meet the outline.
@@ -84,7 +104,7 @@ pub(super) fn meet(search: &Search, s: &Spot, h: f64, noise: f64) -> Option<Meet
 }
 
 /// The height at which most planes meet the outline.
-fn straight(all: &[Meet], width: f64, h: f64, noise: f64) -> Option<Fitted> {
+fn straight(all: &[Meet], width: f64, h: f64, noise: f64, lies: Lies) -> Option<Fitted> {
     let window = |i: usize| i..all.partition_point(|a| a.ahead <= all[i].ahead + width);
     let fullest = (0..all.len()).map(window).max_by_key(|w| (w.len(), std::cmp::Reverse(w.start)))?;
     let found = &all[fullest];
@@ -93,10 +113,17 @@ fn straight(all: &[Meet], width: f64, h: f64, noise: f64) -> Option<Fitted> {
     }
     let at = |share: f64| found[((found.len() - 1) as f64 * share) as usize].ahead;
     let ahead = at(0.5);
-    let beyond = found.iter().filter(|a| a.own >= ahead - 0.5 * h).count();
+    let lies_so = |a: &&Meet| match lies {
+        Lies::Beyond => a.own >= ahead - 0.5 * h,
+        Lies::Behind => a.own <= ahead + 0.5 * h,
+    };
+    let there = found.iter().filter(lies_so).count();
+    // A wall over the run's own may end before it reaches that.
+    let reach = (CLEAR.0 + CLEAR.1 * noise + 1.0) * h;
+    let reaches = lies == Lies::Beyond || found.iter().any(|a| a.off.hypot(a.own - ahead) <= reach);
     let error = 1.3 * (at(0.84) - at(0.16)) / (found.len() as f64).sqrt() + 1e-2 * h;
     let refined = line(all, ahead, width, noise).filter(|f| (f.ahead - ahead).abs() <= width);
-    (4 * beyond >= 3 * found.len()).then_some(refined.unwrap_or(Fitted { ahead, error }))
+    (reaches && 4 * there >= 3 * found.len()).then_some(refined.unwrap_or(Fitted { ahead, error }))
 }
 
 /// The height at which a line through the points themselves, by their distance from the outline, meets it: of walls that
