@@ -2,8 +2,10 @@
 
 use lineament::Cloud;
 use lineament::section::{Axis, Planes, SectionParams, section};
-use lineament::shapes::{self, Sampling, Scan, Shape};
+use lineament::shapes::{self, Rng, Sampling, Scan, Shape};
 
+/// So many that the bores of a plate are ten spacings wide and more.
+const COUNT: usize = 40_000;
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 
@@ -24,7 +26,7 @@ fn turned(m: &[[f64; 3]; 3], p: [f64; 3]) -> [f64; 3] {
 
 /// The axis found on a part that is turned and moved, turned back.
 fn found(shape: &Shape, noise: f64, quaternion: [f64; 4]) -> [f64; 3] {
-    let scan = Scan::new(Sampling::BlueNoise { count: 12_000 }).noise(noise).seed(1);
+    let scan = Scan::new(Sampling::BlueNoise { count: COUNT }).noise(noise).seed(1);
     let m = rotation(quaternion);
     let moved = |p| {
         let [x, y, z] = turned(&m, p);
@@ -84,15 +86,8 @@ fn of_axes_as_good_the_one_of_fewest_changes_is_taken_and_then_the_longest() {
 
 #[test]
 fn without_faces_the_longest_principal_axis_is_taken() {
-    let long = |p: [f64; 3]| [p[0], p[1], 3.0 * p[2]];
-    let cloud =
-        shapes::sphere(1.0).sample(&Scan::new(Sampling::Area { count: 4000 }).seed(2)).map(1.0, long).cloud;
-    let blob: Vec<[f64; 3]> = cloud
-        .positions
-        .iter()
-        .enumerate()
-        .map(|(k, p)| p.map(|x| x * f64::from(1 + k as u32 % 97)))
-        .collect();
+    let mut rng = Rng::new(2);
+    let blob = (0..4000).map(|_| [1.0, 1.0, 3.0].map(|wide| wide * rng.gaussian())).collect();
     let blob = Cloud::new(blob);
     assert!(apart(axis_of(&blob, Axis::Faces), axis_of(&blob, Axis::Principal)) < 1e-9);
 }

@@ -4,11 +4,14 @@ use super::facets::{Facet, Facets};
 use crate::math::least_squares::least_squares;
 use crate::math::vec3;
 
-/// Rounds in which a line settles, and how many times as far off facets may be in the first.
-const ROUNDS: usize = 6;
-const WIDER: f64 = 3.0;
+/// Rounds in which a line settles, and how many times as far off facets may be in the first half of them and in the others:
+/// without room it would stay where it is.
+const ROUNDS: usize = 8;
+const WIDER: [f64; 2] = [3.0, 2.0];
 /// How far from a line, in spacings, the normals of facets turned about it pass.
 const BESIDE: f64 = 0.5;
+/// Radius, in shares of the reach, within which facets turned about a line tell no more than there.
+const NEAR: f64 = 0.1;
 /// Weight, of the whole surface, by which a line stays where nothing moves it.
 const STAY: f64 = 1e-6;
 /// Height, in spacings, over which faces across the axis are one change of the section.
@@ -36,7 +39,7 @@ impl Pose {
         let mut pose = Self { axis, through: facets.all.first().map_or([0.0; 3], |f| f.at) };
         pose.centre(facets);
         for round in 0..ROUNDS {
-            let off = facets.off * if round < ROUNDS / 2 { WIDER } else { 1.0 };
+            let off = facets.off * WIDER[usize::from(round >= ROUNDS / 2)];
             match pose.settled(facets, off) {
                 Some(next) => pose = next,
                 None => break,
@@ -87,7 +90,7 @@ impl Pose {
             let n = f.normal;
             let weight = (f.area / facets.area).sqrt();
             let mut add = |row: [f64; 4], rest: f64| rows.push((row.map(|x| x * weight), rest * weight));
-            match self.lie(f, off) {
+            match self.lie(f, facets, off) {
                 None => {}
                 Some(Lie::Standing) => {
                     add([vec3::dot(n, u), vec3::dot(n, v), 0.0, 0.0], -vec3::dot(n, self.axis));
@@ -97,9 +100,12 @@ impl Pose {
                     add([0.0, 1.0, 0.0, 0.0], sign * vec3::dot(n, v));
                 }
                 Some(Lie::Turned(radius)) => {
+                    // Those near the axis would count most if each were held by its own radius.
+                    let radius = radius.max(NEAR * facets.reach);
                     let from = vec3::sub(f.at, self.through);
                     let past = |a: [f64; 3]| vec3::dot(n, vec3::cross(a, from)) / radius;
-                    let moved = [past(u), past(v), -vec3::dot(n, v) / radius, vec3::dot(n, u) / radius];
+                    let shift = [v, u].map(|a| vec3::dot(n, a) / radius);
+                    let moved = [past(u), past(v), -shift[0], shift[1]];
                     add(moved, -past(self.axis));
                 }
             }
@@ -127,7 +133,7 @@ impl Pose {
     }
 
     /// How a facet lies, `off` being how far its normal may be off.
-    fn lie(&self, f: &Facet, off: f64) -> Option<Lie> {
+    fn lie(&self, f: &Facet, facets: &Facets, off: f64) -> Option<Lie> {
         let (sine, cosine) = off.sin_cos();
         let along = vec3::dot(f.normal, self.axis);
         if along.abs() <= sine {
@@ -141,19 +147,22 @@ impl Pose {
         let past = vec3::dot(f.normal, around).abs();
         // By the part of the normal that does not run along the axis.
         let level = (1.0 - along * along).sqrt();
-        let turned = radius > f.spacing && past <= level * (radius * sine + BESIDE * f.spacing);
+        // A line far off would be met by all normals across one direction.
+        let near = radius > f.spacing && radius <= facets.reach;
+        let turned = near && past <= level * (radius * sine + BESIDE * f.spacing);
         turned.then_some(Lie::Turned(radius))
     }
 
     /// The share of the surface that it explains.
     pub(super) fn explained(&self, facets: &Facets) -> f64 {
-        let own = facets.all.iter().filter(|f| self.lie(f, facets.off).is_some());
+        let own = facets.all.iter().filter(|f| self.lie(f, facets, facets.off).is_some());
         own.map(|f| f.area).sum::<f64>() / facets.area
     }
 
     /// How many faces lie across it, those of much area counting whole.
     pub(super) fn changes(&self, facets: &Facets) -> f64 {
-        let across = facets.all.iter().filter(|f| matches!(self.lie(f, facets.off), Some(Lie::Across(_))));
+        let across =
+            facets.all.iter().filter(|f| matches!(self.lie(f, facets, facets.off), Some(Lie::Across(_))));
         let mut levels: Vec<(f64, f64, f64)> =
             across.map(|f| (vec3::dot(f.at, self.axis), f.area, f.spacing)).collect();
         levels.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -16,8 +16,8 @@ use rayon::prelude::*;
 
 use super::super::result::Sections;
 use super::super::tile::Tiles;
-use super::Feature;
 use super::runs::Found;
+use super::{Feature, kinds};
 use crate::frame::Localised;
 use crate::neighbors::Index;
 use near::{Ground, Search, Spot};
@@ -97,13 +97,13 @@ pub(super) fn refine(
             continue_radius(&runs[k - 1].run.feature.clone(), &mut runs[k].run.feature);
         }
     }
-    let kept: Vec<bool> = (0..runs.len()).map(|k| holds(k, runs, &ends, &rims)).collect();
+    let kept: Vec<bool> = (0..runs.len()).map(|k| holds(k, runs, &ends, &rims, sections)).collect();
     let mut kept = kept.into_iter();
     runs.retain(|_| kept.next().unwrap_or(true));
 }
 
 /// Whether the ends of a run bear out what its contours show.
-fn holds(k: usize, runs: &[Found], ends: &[Option<End>], rims: &[bool]) -> bool {
+fn holds(k: usize, runs: &[Found], ends: &[Option<End>], rims: &[bool], sections: &Sections) -> bool {
     let own = [ends[2 * k], ends[2 * k + 1]];
     let by = |of: fn(&End) -> bool| own.iter().flatten().any(of);
     match runs[k].run.feature {
@@ -115,9 +115,24 @@ fn holds(k: usize, runs: &[Found], ends: &[Option<End>], rims: &[bool]) -> bool 
                 || own.iter().all(Option::is_some) && by(|e| matches!(e.by, By::Face | By::Fold));
             by(|e| e.by.is_edge()) && sure && !below && !above
         }
-        Feature::Extrusion { .. } => !runs[k].doubtful || by(|e| matches!(e.by, By::Face | By::Fold)),
+        Feature::Extrusion { .. } => {
+            let edged = by(|e| matches!(e.by, By::Face | By::Fold));
+            !runs[k].doubtful || edged && stands(&runs[k], sections)
+        }
         Feature::Revolution { .. } => true,
     }
+}
+
+/// Whether the walls of a run stand along the axis, but for one contour in four, clear of where it ends.
+fn stands(found: &Found, sections: &Sections) -> bool {
+    let (run, clear) = (&found.run, kinds::CLEAR * sections.spacing);
+    let own = found.profiles.iter().filter(|p| (p.height - run.from).min(run.to - p.height) >= clear);
+    let (mut count, mut upright) = (0, 0);
+    for profile in own {
+        count += 1;
+        upright += usize::from(profile.steepest_deg <= kinds::upright_deg(sections.noise));
+    }
+    4 * upright >= 3 * count
 }
 
 /// A wall that folds goes on at the same radius, which an extrusion tells better than a short taper.

@@ -21,10 +21,17 @@ const JUMP: f64 = 3.0;
 const SLOPE_DEG: [(f64, f64); 2] = [(1.0, 8.0), (3.0, 12.0)];
 /// How far beside a fold, in spacings, slices show a mean of both walls.
 const FOLD: f64 = 1.2;
+/// How far from an edge, in spacings, walls do not lean from it.
+pub(super) const CLEAR: f64 = 2.0 * FOLD;
 /// Noise in spacings above which walls beside a face may seem to lean.
 const NOISY: f64 = 0.15;
 /// Contours in a row that may stray within a run.
 const ASTRAY: usize = 2;
+
+/// The angle to the axis, degrees, up to which nine tenths of a wall may seem to stand along it, of a few slices.
+pub(super) fn upright_deg(noise: f64) -> f64 {
+    1.5 * (SLOPE_DEG[1].0 + SLOPE_DEG[1].1 * noise)
+}
 
 /// Contours `first` to `last` of a track, what they have in common, and how well.
 #[derive(Clone, Copy, Debug)]

@@ -58,7 +58,7 @@ fn curve(search: &Search, group: &[Spot], h: f64, noise: f64) -> Option<Fitted> 
     let mut middle = 0.0;
     for round in 0..4 {
         let place = |m: &Meet| dot(sub(m.foot, origin), way) / reach - middle;
-        let bent = Bent::fit(&all, place, (noise * h).powi(2))?;
+        let bent = Bent::fit(&all, place)?;
         let level = -bent.slope / (2.0 * bent.bend);
         let (least, most) =
             all.iter().map(place).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), s| (l.min(s), m.max(s)));
@@ -95,8 +95,7 @@ struct Bent {
 }
 
 impl Bent {
-    /// Of points that noise of variance `blur` has moved.
-    fn fit(all: &[Meet], place: impl Fn(&Meet) -> f64, blur: f64) -> Option<Bent> {
+    fn fit(all: &[Meet], place: impl Fn(&Meet) -> f64) -> Option<Bent> {
         let n = all.len() as f64;
         if all.len() < 2 * FEWEST {
             return None;
@@ -108,11 +107,6 @@ impl Bent {
             ([1.0, s, s * s, m.off, s * s * m.off], m.own)
         };
         let [at, slope, bend, rise, gain] = least_squares(all.iter().map(row))?;
-        // Noise in the distances from the outline flattens the rise by its share of their variance.
-        let aside = all.iter().map(|m| m.off).sum::<f64>() / n;
-        let spread = all.iter().map(|m| (m.off - aside).powi(2)).sum::<f64>() / n;
-        let more = rise * blur / (spread - blur).max(spread / 2.0);
-        let (at, rise) = (at - more * aside, rise + more);
         let mut bent = Bent { at, slope, bend, rise, gain, sigma: 0.0, clearly: false };
         let left = all.iter().map(|m| bent.rest(m, place(m)).powi(2)).sum::<f64>();
         bent.sigma = (left / (n - 5.0)).sqrt();

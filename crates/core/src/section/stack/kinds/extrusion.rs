@@ -1,6 +1,6 @@
 //! Runs of the same outline.
 
-use super::{ASTRAY, FOLD, Feature, JUMP, Kinds, Reached};
+use super::{ASTRAY, CLEAR, FOLD, Feature, JUMP, Kinds, Reached};
 
 /// Share of a run's contours that must be circles for it to be round.
 const ROUND: f64 = 0.6;
@@ -151,7 +151,7 @@ impl Kinds<'_> {
     fn clear(&self, first: usize, last: usize) -> Vec<usize> {
         let clear = |k: &usize| {
             let height = self.all[*k].height;
-            (height - self.all[first].height).min(self.all[last].height - height) >= 2.0 * FOLD * self.spacing
+            (height - self.all[first].height).min(self.all[last].height - height) >= CLEAR * self.spacing
         };
         (first..=last).filter(clear).collect()
     }

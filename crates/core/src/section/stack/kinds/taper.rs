@@ -57,7 +57,7 @@ impl Kinds<'_> {
             return None;
         }
         let feature = Feature::Taper { angle_deg, apex: f64::NAN, radius: None };
-        // Nothing of the track tells of its ends.
+        // Nothing else of the track tells of its ends.
         let doubtful = short && folds == [None; 2];
         Some(Reached { first, last, feature, residual, doubtful })
     }
