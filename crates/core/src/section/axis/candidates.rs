@@ -24,7 +24,7 @@ pub(super) fn directions(facets: &Facets) -> Vec<[f64; 3]> {
         );
     }
     found.extend(eigen3(&facets.tensor(|f| f.normal)).vectors);
-    found.extend(eigen3(&facets.tensor(|f| facets.from_middle(f))).vectors);
+    found.extend(eigen3(&facets.tensor(|f| facets.off_middle(f))).vectors);
     let mut unlike: Vec<[f64; 3]> = Vec::new();
     for axis in found {
         if unlike.iter().all(|u| vec3::norm(vec3::cross(*u, axis)) > 0.5 * facets.off) {

@@ -56,7 +56,7 @@ impl Facets {
         let area: f64 = all.iter().map(|f| f.area).sum();
         let middle = [0, 1, 2].map(|k| all.iter().map(|f| f.area * f.at[k]).sum::<f64>() / area);
         let mut facets = Self { all, off, area, reach: 0.0, middle };
-        let [xx, _, _, yy, _, zz] = facets.tensor(|f| facets.from_middle(f));
+        let [xx, _, _, yy, _, zz] = facets.tensor(|f| facets.off_middle(f));
         facets.reach = FAR * ((xx + yy + zz) / area).sqrt();
         facets
     }
@@ -73,13 +73,13 @@ impl Facets {
     }
 
     /// A place from the middle of all of them.
-    pub(super) fn from_middle(&self, f: &Facet) -> [f64; 3] {
+    pub(super) fn off_middle(&self, f: &Facet) -> [f64; 3] {
         vec3::sub(f.at, self.middle)
     }
 
     /// The variance of the places along an axis.
     pub(super) fn variance(&self, axis: [f64; 3]) -> f64 {
-        let along = |f: &Facet| vec3::dot(self.from_middle(f), axis);
+        let along = |f: &Facet| vec3::dot(self.off_middle(f), axis);
         self.all.iter().map(|f| f.area * along(f).powi(2)).sum::<f64>() / self.area
     }
 }
