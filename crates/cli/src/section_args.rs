@@ -73,8 +73,9 @@ pub struct Slices {
 /// Where to cut and how to draw.
 #[derive(Clone, Debug, ClapArgs)]
 pub struct Slicing {
-    /// Across the slices: x, y, z, a vector X,Y,Z, `auto` (the longest principal axis) or `thin` (the principal axis for
-    /// which slices project thinnest) [default: z]
+    /// Across the slices: x, y, z, a vector X,Y,Z, `auto` (the axis that most of the surface stands along, lies across or is
+    /// turned about; of several the one along which sections change least often, then the longest), `long` (the longest
+    /// principal axis) or `thin` (the principal axis for which slices project thinnest) [default: z]
     #[arg(long, value_parser = parse_axis, allow_hyphen_values = true)]
     pub axis: Option<Axis>,
     /// Distance between slices, in the unit of the input
@@ -194,14 +195,15 @@ fn parse_axis(text: &str) -> Result<Axis, String> {
         "x" => return Ok(Axis::Coordinate(0)),
         "y" => return Ok(Axis::Coordinate(1)),
         "z" => return Ok(Axis::Coordinate(2)),
-        "auto" => return Ok(Axis::Principal),
+        "auto" => return Ok(Axis::Faces),
+        "long" => return Ok(Axis::Principal),
         "thin" => return Ok(Axis::Thinnest),
         _ => {}
     }
     let parts: Option<Vec<f64>> = text.split(',').map(|t| t.trim().parse().ok()).collect();
     match parts.as_deref() {
         Some(&[x, y, z]) => Ok(Axis::Vector([x, y, z])),
-        _ => Err("write x, y, z, auto, thin or a vector X,Y,Z such as 1,0,1".into()),
+        _ => Err("write x, y, z, auto, long, thin or a vector X,Y,Z such as 1,0,1".into()),
     }
 }
 
@@ -220,7 +222,8 @@ mod tests {
     #[test]
     fn axes_are_letters_words_or_vectors() {
         assert_eq!(parse_axis("y"), Ok(Axis::Coordinate(1)));
-        assert_eq!(parse_axis("auto"), Ok(Axis::Principal));
+        assert_eq!(parse_axis("auto"), Ok(Axis::Faces));
+        assert_eq!(parse_axis("long"), Ok(Axis::Principal));
         assert_eq!(parse_axis("0, -1,2.5"), Ok(Axis::Vector([0.0, -1.0, 2.5])));
         for bad in ["w", "1,2", "1,2,3,4", ""] {
             assert!(parse_axis(bad).is_err(), "{bad}");

@@ -1,10 +1,10 @@
-//! What the stack of slices names beside what each part has: `cargo run --release --example naming_table -- [PART] [-v] [-q] [-u] [-a]`.
+//! What the stack of slices names beside what each part has: `cargo run --release --example naming_table -- [PART] [-v] [-q] [-u|-n] [-a]`.
 //!
 //! Each part of `tests/naming/parts.rs` is scanned with several seeds and noise levels, turned or not, and cut in several
 //! numbers of slices. A row tells of one part, view and noise: features named, the share of ends within 0.1 spacing,
 //! the worst, the share within twice of what the run states, the share of sizes (radii, apexes) within 0.1 spacing, the
 //! worst, and what is missing or named for nothing over all its clouds. `-v` tells of each, `-q` takes one seed, `-u`
-//! the parts that no method was tried on, `-a` what the two rules for an automatic axis find on turned parts.
+//! the parts that no method was tried on at first, `-n` those that came last, `-a` what the three rules for an automatic axis find on turned parts.
 
 #[path = "../tests/naming/judge.rs"]
 mod judge;
@@ -58,10 +58,17 @@ fn main() {
     let quick = arguments.iter().any(|a| a == "-q");
     let wanted = arguments.iter().find(|a| !a.starts_with('-'));
     let unseen = arguments.iter().any(|a| a == "-u");
-    let parts: Vec<Part> = if unseen { parts::held_out() } else { parts::parts() }
-        .into_iter()
-        .filter(|p| wanted.is_none_or(|w| p.shape.name.contains(w.as_str())))
-        .collect();
+    let newest = arguments.iter().any(|a| a == "-n");
+    let parts: Vec<Part> = if newest {
+        parts::newest()
+    } else if unseen {
+        parts::held_out()
+    } else {
+        parts::parts()
+    }
+    .into_iter()
+    .filter(|p| wanted.is_none_or(|w| p.shape.name.contains(w.as_str())))
+    .collect();
     if arguments.iter().any(|a| a == "-a") {
         return parts.iter().for_each(automatic);
     }
@@ -104,7 +111,8 @@ fn main() {
 fn automatic(part: &Part) {
     let scan = Scan::new(Sampling::BlueNoise { count: part.count }).noise(0.1).seed(1);
     let cloud = part.shape.sample(&scan).map(1.0, turned).cloud;
-    for (rule, axis) in [("principal", Axis::Principal), ("thinnest", Axis::Thinnest)] {
+    for (rule, axis) in [("faces", Axis::Faces), ("principal", Axis::Principal), ("thinnest", Axis::Thinnest)]
+    {
         let params = SectionParams { axis, planes: Planes::Count(37), fit: true, ..SectionParams::default() };
         let Ok((sections, stack)) = section_observed(&cloud, &params, &|_| ()) else { continue };
         let found = sections.frame.axes[2];

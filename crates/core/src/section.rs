@@ -9,6 +9,7 @@
 mod adaptive;
 mod ascending;
 mod assign;
+mod axis;
 mod band;
 mod carry;
 mod chain;

@@ -9,6 +9,9 @@ pub enum Axis {
     Coordinate(usize),
     /// Along any vector that is not zero; its length does not count.
     Vector([f64; 3]),
+    /// The axis that most of the surface stands along, lies across or is turned about; of several that are as good the one
+    /// along which sections change least often, then the longest. Where the faces show none, as [`Axis::Principal`].
+    Faces,
     /// The principal axis along which the points extend furthest.
     Principal,
     /// That principal axis along which the slices project thinnest: walls stand steepest on the planes.

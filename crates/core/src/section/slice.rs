@@ -6,6 +6,7 @@ use super::params::Axis;
 use super::spread::Spread;
 use crate::math::eigen3::eigen3;
 use crate::math::vec3;
+use crate::neighbors::Index;
 
 /// A right-handed frame whose third axis points across the slices.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,11 +49,12 @@ impl SliceFrame {
     }
 }
 
-/// The frame of an axis; automatic ones look at the principal axes of the points.
-pub(crate) fn resolve(axis: Axis, points: &[[f64; 3]]) -> SliceFrame {
+/// The frame of an axis; automatic ones look at the faces, or at the principal axes of the points.
+pub(crate) fn resolve(axis: Axis, points: &[[f64; 3]], index: &Index, noise: f64) -> SliceFrame {
     let given = SliceFrame::along(axis);
+    let faces = || if axis == Axis::Faces { super::axis::of_faces(points, index, noise) } else { None };
     given
-        .or_else(|| SliceFrame::along(Axis::Vector(automatic(axis, points))))
+        .or_else(|| SliceFrame::along(Axis::Vector(faces().map_or_else(|| automatic(axis, points), settle))))
         .unwrap_or(SliceFrame { axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] })
 }
 

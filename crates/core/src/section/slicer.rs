@@ -43,8 +43,8 @@ impl<'a> Slicer<'a> {
         params: &'a SectionParams,
         observe: &'a (dyn Fn(f64) + Sync),
     ) -> Self {
-        let frame = slice::resolve(params.axis, &local.positions);
         let texture = surface::texture(&local.positions, index);
+        let frame = slice::resolve(params.axis, &local.positions, index, texture.noise);
         let tiles = Tiles::new(index, texture.noise, frame.axes[2]);
         let base = frame.coordinates(local.frame.offset)[2];
         Self { local, index, params, frame, scale: local.frame.scale, base, texture, tiles, observe }

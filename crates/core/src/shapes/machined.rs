@@ -15,14 +15,7 @@ pub fn counterbored_plate() -> Shape {
     let mut shape = prism("counterbored plate", &rectangle(5.0, 3.0), thickness, |p| p);
     for x in [1.4, 3.6] {
         let axes = Axes::at([x, 1.5, thickness]);
-        shape.pit(TOP, axes, head, depth);
-        shape.ring(axes, head, -depth, Fold::Concave);
-        for (from, to) in [([head, -depth], [bore, -depth]), ([bore, -depth], [bore, -thickness])] {
-            shape.faces.push(Face::new(Surface::Cone { axes, from, to }));
-        }
-        shape.cut(BOTTOM, axes, bore);
-        shape.ring(axes, bore, -depth, Fold::Convex);
-        shape.ring(axes, bore, -thickness, Fold::Convex);
+        shape.counterbore([TOP, BOTTOM], axes, [bore, head], [depth, thickness]);
     }
     shape
 }

@@ -126,6 +126,18 @@ pub fn held_out() -> Vec<Part> {
     ]
 }
 
+/// Parts that came last, when all methods had been made.
+pub fn newest() -> Vec<Part> {
+    let part = |shape, count, views| Part { shape, count, views };
+    vec![
+        part(shapes::stepped_plate(), 40_000, stepped_plate()),
+        part(shapes::ribbed_bracket(), 40_000, ribbed_bracket()),
+        part(shapes::dovetail(), 40_000, dovetail()),
+        part(shapes::pulley(), 40_000, vec![view(2, pulley())]),
+        part(shapes::manifold(), 40_000, manifold()),
+    ]
+}
+
 fn bracket() -> Vec<View> {
     let z = vec![
         known(PLAIN, 0.0, 1.2),
@@ -304,4 +316,60 @@ fn tapered_hub() -> Vec<Known> {
         known(round(0.7), 1.4, 2.0),
         hole(round(0.5), 0.0, 2.0),
     ]
+}
+
+fn stepped_plate() -> Vec<View> {
+    let z = vec![
+        known(PLAIN, 0.0, 0.8),
+        known(PLAIN, 0.8, 1.6),
+        hole(round(0.3), 0.0, 1.2),
+        hole(round(0.6), 1.2, 1.6),
+        hole(round(0.5), 0.3, 0.8),
+    ];
+    let plain = |ranges: &[(f64, f64)]| ranges.iter().map(|&(from, to)| known(PLAIN, from, to)).collect();
+    let x = plain(&[(0.0, 0.7), (1.9, 2.6), (2.6, 3.3), (4.3, 5.0)]);
+    vec![view(2, z), view(0, x), view(1, plain(&[(0.0, 0.9), (2.1, 3.0)]))]
+}
+
+fn ribbed_bracket() -> Vec<View> {
+    // Wall and foot have one thickness, so that the rib runs out along both alike; it is a small part of the outline.
+    let rib = maybe(known(Taper(2.8 + 3.2 / 0.6, None), 0.8, 2.8));
+    let x = [(0.0, 1.7), (1.7, 2.3), (2.3, 4.0)].map(|(from, to)| known(PLAIN, from, to));
+    let along = |end| vec![known(PLAIN, 0.0, 0.8), rib.clone(), known(PLAIN, 2.8, end)];
+    vec![View { repeats: 1, ..view(0, x.to_vec()) }, view(2, along(4.0)), view(1, along(5.0))]
+}
+
+fn dovetail() -> Vec<View> {
+    let wall = known(Taper(-1.6, None), 0.8, 1.6);
+    let z = vec![known(PLAIN, 0.0, 0.8), wall.clone(), wall];
+    // Under the groove lies a plate, over its walls two wedges.
+    let x = vec![
+        known(PLAIN, 0.0, 0.9),
+        known(PLAIN, 0.9, 3.1),
+        known(Taper(1.2, None), 0.9, 1.2),
+        known(Taper(2.8, None), 2.8, 3.1),
+        known(PLAIN, 3.1, 4.0),
+    ];
+    vec![view(2, z), view(1, vec![known(PLAIN, 0.0, 3.0)]), view(0, x)]
+}
+
+fn pulley() -> Vec<Known> {
+    let rims = [(1.6, 0.0, 0.3), (1.6, 0.9, 1.2), (1.3, 1.2, 1.5), (1.6, 1.5, 1.8), (0.8, 1.8, 2.4)];
+    let mut all: Vec<Known> = rims.iter().map(|&(r, from, to)| known(round(r), from, to)).collect();
+    all.push(known(Taper(1.5, Some(1.6)), 0.3, 0.6));
+    all.push(known(Taper(-0.3, Some(1.2)), 0.6, 0.9));
+    all.push(hole(round(0.4), 0.0, 2.4));
+    all
+}
+
+fn manifold() -> Vec<View> {
+    let mut z = vec![known(PLAIN, 0.0, 0.7), known(PLAIN, 1.7, 2.4)];
+    for _ in 0..2 {
+        z.extend([hole(round(0.3), 0.0, 0.7), hole(round(0.3), 1.7, 2.4)]);
+    }
+    z.extend((0..4).map(|_| hole(round(0.15), 1.6, 2.4)));
+    let solid = [(0.0, 0.25), (0.55, 0.9), (1.5, 2.5), (3.1, 3.45), (3.75, 4.0)];
+    let mut x: Vec<Known> = solid.iter().map(|&(from, to)| known(PLAIN, from, to)).collect();
+    x.extend([(0.0, 0.9), (1.5, 2.5), (3.1, 4.0)].map(|(from, to)| hole(round(0.5), from, to)));
+    vec![View { repeats: 1, ..view(2, z) }, view(0, x)]
 }

@@ -8,14 +8,16 @@ mod face;
 mod fold;
 mod near;
 mod parts;
+mod rim;
 mod size;
+mod split;
 
 use rayon::prelude::*;
 
 use super::super::result::Sections;
 use super::super::tile::Tiles;
-use super::Feature;
 use super::runs::Found;
+use super::{Feature, kinds};
 use crate::frame::Localised;
 use crate::neighbors::Index;
 use near::{Ground, Search, Spot};
@@ -34,6 +36,8 @@ struct End {
 enum By {
     Face,
     Fold,
+    /// A fold along a curve that is level there.
+    Rim,
     Meeting,
     Apex,
     Border,
@@ -42,13 +46,13 @@ enum By {
 impl By {
     /// Whether the surface shows an edge there.
     fn is_edge(self) -> bool {
-        matches!(self, By::Face | By::Fold | By::Meeting)
+        matches!(self, By::Face | By::Fold | By::Rim | By::Meeting)
     }
 }
 
 /// Sets `from`, `to`, `range_error` of every run, and what a taper has at its ends, from the points between its slices
-/// and those just outside. The runs of a track come one after another. A taper that ends at no edge is none: any piece of
-/// a curved wall may look like one.
+/// and those just outside. The runs of a track come one after another. A taper that ends at no edge is none, nor is an
+/// extrusion between two where only its inner contours say so: any piece of a curved wall may look like one.
 pub(super) fn refine(
     local: &Localised,
     index: &Index,
@@ -63,6 +67,7 @@ pub(super) fn refine(
     let found = searches.par_iter().zip(&near).enumerate();
     let mut ends: Vec<Option<End>> =
         found.map(|(k, (search, spots))| end(search, spots, &sizes[k / 2], sections)).collect();
+    let rims: Vec<bool> = ends.iter().map(|e| e.is_some_and(|e| e.by == By::Rim)).collect();
     for k in 1..runs.len() {
         if runs[k - 1].joins_next {
             let between = [runs[k - 1].last().height, runs[k].profiles[0].height];
@@ -71,6 +76,7 @@ pub(super) fn refine(
             meet(&mut before[2 * k - 1], &mut after[0], meeting, sections.spacing);
         }
     }
+    split::share(&searches, &mut ends);
     for ((found, ends), size) in runs.iter_mut().zip(ends.chunks(2)).zip(&sizes) {
         let run = &mut found.run;
         let set = |end: Option<End>, at: &mut f64, error: &mut f64| {
@@ -86,13 +92,47 @@ pub(super) fn refine(
         }
     }
     for k in 1..runs.len() {
-        let folds = |end: &Option<End>| end.is_some_and(|e| matches!(e.by, By::Fold | By::Meeting));
+        let folds = |end: &Option<End>| end.is_some_and(|e| matches!(e.by, By::Fold | By::Rim | By::Meeting));
         if runs[k - 1].joins_next && folds(&ends[2 * k]) {
             continue_radius(&runs[k - 1].run.feature.clone(), &mut runs[k].run.feature);
         }
     }
-    let mut shown = ends.chunks(2).map(|ends| ends.iter().flatten().any(|e| e.by.is_edge()));
-    runs.retain(|r| shown.next().unwrap_or(true) || !matches!(r.run.feature, Feature::Taper { .. }));
+    let kept: Vec<bool> = (0..runs.len()).map(|k| holds(k, runs, &ends, &rims, sections)).collect();
+    let mut kept = kept.into_iter();
+    runs.retain(|_| kept.next().unwrap_or(true));
+}
+
+/// Whether the ends of a run bear out what its contours show.
+fn holds(k: usize, runs: &[Found], ends: &[Option<End>], rims: &[bool], sections: &Sections) -> bool {
+    let own = [ends[2 * k], ends[2 * k + 1]];
+    let by = |of: fn(&End) -> bool| own.iter().flatten().any(of);
+    match runs[k].run.feature {
+        Feature::Taper { .. } => {
+            // Beyond the rim of a curved wall nothing is even.
+            let below = k > 0 && runs[k - 1].joins_next && rims[2 * k - 1];
+            let above = runs[k].joins_next && rims.get(2 * k + 2) == Some(&true);
+            let sure = !runs[k].doubtful
+                || own.iter().all(Option::is_some) && by(|e| matches!(e.by, By::Face | By::Fold));
+            by(|e| e.by.is_edge()) && sure && !below && !above
+        }
+        Feature::Extrusion { .. } => {
+            let edged = by(|e| matches!(e.by, By::Face | By::Fold));
+            !runs[k].doubtful || edged && stands(&runs[k], sections)
+        }
+        Feature::Revolution { .. } => true,
+    }
+}
+
+/// Whether the walls of a run stand along the axis, but for one contour in four, clear of where it ends.
+fn stands(found: &Found, sections: &Sections) -> bool {
+    let (run, clear) = (&found.run, kinds::CLEAR * sections.spacing);
+    let own = found.profiles.iter().filter(|p| (p.height - run.from).min(run.to - p.height) >= clear);
+    let (mut count, mut upright) = (0, 0);
+    for profile in own {
+        count += 1;
+        upright += usize::from(profile.steepest_deg <= kinds::upright_deg(sections.noise));
+    }
+    4 * upright >= 3 * count
 }
 
 /// A wall that folds goes on at the same radius, which an extrusion tells better than a short taper.
@@ -109,10 +149,11 @@ fn end(search: &Search, spots: &[Spot], size: &Size, sections: &Sections) -> Opt
     let (h, noise) = (sections.spacing, sections.noise);
     let near = search.ahead_of_start(spots);
     let face = face::face(search, near, h, noise);
-    let fold = search.upright.then(|| fold::fold(search, spots, h, noise)).flatten();
-    // A face is surer where both show one edge.
+    let fold = if search.partly_upright() { fold::fold(search, spots, h, noise) } else { None };
+    // Beside a face planes lean as well: a fold so near to one is its edge.
+    let edge = (fold::CLEAR.0 + fold::CLEAR.1 * noise) * h;
     let nearer = |a: End, b: End| {
-        if search.ahead(a.height) <= search.ahead(b.height) + 0.5 * h { a } else { b }
+        if search.ahead(a.height) <= search.ahead(b.height) + edge { a } else { b }
     };
     let first = match (face, fold) {
         (Some(a), Some(b)) => Some(nearer(a, b)),
@@ -124,8 +165,9 @@ fn end(search: &Search, spots: &[Spot], size: &Size, sections: &Sections) -> Opt
 
 /// Lets two runs that meet end at one height, where only one of them tells it, or neither.
 fn meet(a: &mut Option<End>, b: &mut Option<End>, meeting: Option<(f64, f64)>, h: f64) {
-    let sure = |e: &Option<End>| e.filter(|e| matches!(e.by, By::Face | By::Fold));
-    let folds = [&*a, &*b].into_iter().filter_map(sure).find(|e| e.by == By::Fold);
+    let sure = |e: &Option<End>| e.filter(|e| matches!(e.by, By::Face | By::Fold | By::Rim));
+    let fold = |e: &End| matches!(e.by, By::Fold | By::Rim);
+    let folds = [&*a, &*b].into_iter().filter_map(sure).find(fold);
     if let (Some(fold), Some((height, error))) = (folds, meeting) {
         // Two long runs tell their meeting better than the points beside it.
         let same = (height - fold.height).abs() <= 3.0 * (fold.error + error) + 0.5 * h;
@@ -138,8 +180,8 @@ fn meet(a: &mut Option<End>, b: &mut Option<End>, meeting: Option<(f64, f64)>, h
     }
     match (sure(a), sure(b)) {
         (Some(_), Some(_)) => {}
-        (Some(end), None) if end.by == By::Fold => *b = Some(end),
-        (None, Some(end)) if end.by == By::Fold => *a = Some(end),
+        (Some(end), None) if fold(&end) => *b = Some(end),
+        (None, Some(end)) if fold(&end) => *a = Some(end),
         (one, other) => {
             let Some((height, error)) = meeting else { return };
             let end = Some(End { height, error: error.min(0.3 * h), by: By::Meeting });

@@ -21,10 +21,17 @@ const JUMP: f64 = 3.0;
 const SLOPE_DEG: [(f64, f64); 2] = [(1.0, 8.0), (3.0, 12.0)];
 /// How far beside a fold, in spacings, slices show a mean of both walls.
 const FOLD: f64 = 1.2;
+/// How far from an edge, in spacings, walls do not lean from it.
+pub(super) const CLEAR: f64 = 2.0 * FOLD;
 /// Noise in spacings above which walls beside a face may seem to lean.
 const NOISY: f64 = 0.15;
 /// Contours in a row that may stray within a run.
 const ASTRAY: usize = 2;
+
+/// The angle to the axis, degrees, up to which nine tenths of a wall may seem to stand along it, of a few slices.
+pub(super) fn upright_deg(noise: f64) -> f64 {
+    1.5 * (SLOPE_DEG[1].0 + SLOPE_DEG[1].1 * noise)
+}
 
 /// Contours `first` to `last` of a track, what they have in common, and how well.
 #[derive(Clone, Copy, Debug)]
@@ -33,6 +40,8 @@ pub(super) struct Reached {
     pub last: usize,
     pub feature: Feature,
     pub residual: f64,
+    /// Whether too little of it shows what it is, so that its ends must.
+    pub doubtful: bool,
 }
 
 /// The contours of a track, ascending, with what is asked of pairs of them more than once.

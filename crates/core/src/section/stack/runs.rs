@@ -12,6 +12,8 @@ pub(super) struct Found<'a> {
     pub profiles: Vec<&'a Profile>,
     /// Whether the next run of the track begins where this one ends.
     pub joins_next: bool,
+    /// Whether too little of it shows what it is, so that its ends must.
+    pub doubtful: bool,
 }
 
 impl<'a> Found<'a> {
@@ -57,7 +59,12 @@ pub(super) fn runs<'a>(track: &Track<'a>, sections: &Sections, tolerance: f64) -
         let height = |k: usize| all[k].height;
         let beside = [below.map(height).or(track.below), above.map(height).or(track.above)];
         let own = all[r.first..=r.last].to_vec();
-        Found { run: run(&own, beside, r, sections), profiles: own, joins_next: after.is_some() }
+        Found {
+            run: run(&own, beside, r, sections),
+            profiles: own,
+            joins_next: after.is_some(),
+            doubtful: r.doubtful,
+        }
     };
     reached.iter().enumerate().map(found).collect()
 }

@@ -1,5 +1,7 @@
 //! Where a wall ends at nothing: the end of an even spread of points that noise has blurred, of greatest likelihood.
 
+use std::f64::consts::TAU;
+
 use super::near::{Search, Spot};
 use super::{By, End};
 
@@ -7,6 +9,9 @@ use super::{By, End};
 const REACH: f64 = 1.0;
 /// Chance given to points that belong to nothing.
 const STRAY: f64 = 1e-3;
+/// Width, in spacings, of the strips whose points may be added at the end: points that keep their distance, or lie on a
+/// lattice, line up along a border, at most in one row more.
+const LINED: [f64; 6] = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5];
 
 /// The end of the wall; `None` where it goes on to the end of the search, as when only a part of it ends.
 pub(super) fn border(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<End> {
@@ -33,22 +38,34 @@ pub(super) fn border(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Opt
     Some(End { height, error: (0.1 + 0.3 * noise) * h, by: By::Border })
 }
 
-/// The end `e` for which points even from `from` to `e`, each blurred by `sigma`, are likeliest.
+/// The end `e` for which points even from `from` to `e`, each blurred by `sigma`, are likeliest, with more of them at the end
+/// itself where that is likelier still.
 fn likeliest(points: &[f64], from: f64, last: f64, sigma: f64, h: f64) -> f64 {
+    let ends = LINED.map(|rows| even_end(points, from, last, sigma, rows * h, h));
+    ends.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(last, |e| e.0)
+}
+
+/// The likeliest end where the points of a strip `more` wide are added there, and the logarithm of its likelihood.
+fn even_end(points: &[f64], from: f64, last: f64, sigma: f64, more: f64, h: f64) -> (f64, f64) {
     let log = |e: f64| {
-        let sum: f64 = points.iter().map(|&p| (below((e - p) / sigma) + STRAY).ln()).sum();
-        sum - points.len() as f64 * (e - from).ln()
+        let density = |p: f64| {
+            let x = (e - p) / sigma;
+            below(x) + more / sigma * (-0.5 * x * x).exp() / TAU.sqrt() + STRAY
+        };
+        let sum: f64 = points.iter().map(|&p| density(p).ln()).sum();
+        sum - points.len() as f64 * (e - from + more).ln()
     };
     let (mut low, mut high) = ((last - REACH * h - 4.0 * sigma).max(from + 0.5 * h), last + sigma);
     if low >= high {
-        return last;
+        return (last, log(last));
     }
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     for _ in 0..30 {
         let (a, b) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
         if log(a) >= log(b) { high = b } else { low = a }
     }
-    0.5 * (low + high)
+    let end = 0.5 * (low + high);
+    (end, log(end))
 }
 
 /// The normal distribution below `x`, to about 1e-3 (a logistic curve of the cube).

@@ -49,25 +49,44 @@ struct Crest {
     bends: [f64; 2],
 }
 
-/// The level height and the spread about a parabola over both coordinates. Where it is bent one way only, as over a bore,
-/// that way alone counts; not a number where it is slanted and nowhere level. The planes of noisy points lean by chance,
-/// so that those which seem level lie off the surface: once it is known, all `spots` near it tell.
-pub(super) fn crest(cluster: &[Spot], spots: &[Spot], h: f64, noise: f64) -> Option<(f64, f64, usize)> {
-    let (first, spread) = Crest::fit(cluster)?;
-    let reach = (3.0 * noise + 0.2) * h;
-    let leans = |s: &Spot| s.normal[2].abs() < ACROSS;
-    let near = |s: &&Spot| !leans(s) && first.holds(s) && (s.height - first.at(s)).abs() <= reach;
-    let more: Vec<Spot> = spots.iter().filter(near).copied().collect();
-    let again = if more.len() >= cluster.len() / 2 { Crest::fit(&more) } else { None };
-    let (found, spread, count) = match again {
-        Some((found, spread)) => (found, spread, more.len()),
-        None => (first, spread, cluster.len()),
-    };
-    Some((found.level((0.5 * h).max(spread)), spread, count))
+/// A crest that points show.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shown {
+    /// Where it is level; not a number where it is slanted and nowhere level.
+    pub height: f64,
+    /// Width of the middle two thirds of the points about it, and about one height.
+    pub spread: f64,
+    pub level: f64,
+    pub count: usize,
 }
 
+/// The level height of a parabola over both coordinates. Where it is bent one way only, as over a bore, that way alone
+/// counts. The planes of noisy points lean by chance, and of a curved face fit best those points that noise has moved inwards,
+/// so that those which seem level lie off the surface: all `spots` near it tell.
+pub(super) fn crest(cluster: &[Spot], spots: &[Spot], h: f64, noise: f64) -> Option<Shown> {
+    let reach = (3.0 * noise + 0.2) * h;
+    let leans = |s: &Spot| s.normal[2].abs() < ACROSS;
+    let mut used = cluster.to_vec();
+    let (mut found, mut spread) = Crest::fit(cluster)?;
+    for _ in 0..ROUNDS {
+        let near = |s: &&Spot| !leans(s) && found.holds(s) && (s.height - found.at(s)).abs() <= reach;
+        let more: Vec<Spot> = spots.iter().filter(near).copied().collect();
+        if more.len() < used.len() / 2 {
+            break;
+        }
+        (found, spread) = Crest::fit(&more)?;
+        used = more;
+    }
+    let (_, level) = middle(&used.iter().map(|s| s.height).collect::<Vec<_>>());
+    let bent = found.bends != [0.0; 2];
+    bent.then(|| Shown { height: found.level((0.5 * h).max(spread)), spread, level, count: used.len() })
+}
+
+/// How often the points near a crest are gathered.
+const ROUNDS: usize = 2;
+
 impl Crest {
-    /// The parabola through points and the spread about it; `None` where they are not bent.
+    /// The parabola through points, a level where they are not bent, and the spread about it.
     fn fit(points: &[Spot]) -> Option<(Crest, f64)> {
         let n = points.len() as f64;
         let mean = |of: &dyn Fn(&Spot) -> f64| points.iter().map(of).sum::<f64>() / n;
@@ -104,7 +123,11 @@ impl Crest {
             [true, true] => return Some((all, spread)),
             [true, false] => [0, 1],
             [false, true] => [1, 0],
-            [false, false] => return None,
+            [false, false] => {
+                (all.height, all.slopes, all.bends) = (base, [0.0; 2], [0.0; 2]);
+                let spread = all.spread(points);
+                return Some((all, spread));
+            }
         };
         let row = |s: &Spot| {
             let at = all.place(s);

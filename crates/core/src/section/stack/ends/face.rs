@@ -2,7 +2,7 @@
 //! face has its height where it is level, which a parabola through its points tells. Several bores side by side have a
 //! crest each.
 
-use super::crest::{crest, ring};
+use super::crest::{Shown, crest, ring};
 use super::near::{Search, Spot};
 use super::parts::parts;
 use super::{By, End};
@@ -90,13 +90,15 @@ fn level(search: &Search, cluster: &[Spot], spots: &[Spot], h: f64, noise: f64) 
         return Some(flat);
     }
     let centre = search.outline.round.map(|r| r.centre).filter(|_| !search.upright);
-    let about = centre.and_then(|c| ring(cluster, c)).map(|(z, spread)| (z, spread, cluster.len()));
-    let models = [about, crest(cluster, spots, h, noise)].into_iter().flatten();
+    let about = centre.and_then(|c| ring(cluster, c));
+    let about = about.map(|(height, own)| Shown { height, spread: own, level: spread, count: cluster.len() });
     let share = (1.0 - CLEARLY / cluster.len() as f64).min(BETTER);
-    models
-        .map(|(height, spread, count)| Level { height, spread, count, bent: true })
-        .filter(|m| m.spread * m.spread <= spread * spread * share)
+    [about, crest(cluster, spots, h, noise)]
+        .into_iter()
+        .flatten()
+        .filter(|m| m.spread * m.spread <= m.level * m.level * share)
         .min_by(|a, b| a.spread.total_cmp(&b.spread))
+        .map(|m| Level { height: m.height, spread: m.spread, count: m.count, bent: true })
         .or(Some(flat))
 }
 

@@ -1,23 +1,18 @@
-//! A fold into a slanted wall: the planes beside the outline meet the upright wall at one height, or along a curve that is
-//! level at one place, as the rim of a countersink cut from the side. First the planes of single points tell about where;
-//! then one line or parabola through the points themselves tells it to a fraction of the spacing.
+//! A fold into a slanted wall: the planes beside the outline meet the upright wall at one height. First the planes of
+//! single points tell about where; then one line through the points themselves tells it to a fraction of the spacing.
 
-use super::super::super::vec2::{along, distance, dot, sub, unit};
+use super::super::super::vec2::{dot, sub, unit};
 use super::near::{Search, Spot, to_foot};
-use super::parts::parts;
-use super::{By, End};
-use crate::math::least_squares::least_squares;
+use super::{By, End, rim};
 use crate::math::vec3;
 
 /// Least angle of a slanted wall to the axis, degrees: without noise, and what noise (in spacings) adds.
 const SLANTED_DEG: (f64, f64) = (10.0, 40.0);
 /// Fewest points that show a fold, and their share of those on slanted walls.
-const FEWEST: usize = 8;
+pub(super) const FEWEST: usize = 8;
 const SHARE: f64 = 0.35;
 /// How far from an edge, in spacings, planes show one face: without noise, and what noise (in spacings) adds.
-const CLEAR: (f64, f64) = (1.6, 2.0);
-/// The same of the points themselves.
-const OWN: (f64, f64) = (0.7, 2.0);
+pub(super) const CLEAR: (f64, f64) = (1.6, 2.0);
 /// Cosine of the angle between axis and normal above which a plane is level: 4 degrees.
 const LEVEL: f64 = 0.9976;
 /// Cosine of the angle by which a slanted plane may fall aside.
@@ -26,46 +21,59 @@ const ACROSS: f64 = 0.7;
 const BESIDE: f64 = 6.0;
 /// How far the leans of one wall spread, degrees: without noise, and what noise (in spacings) adds.
 const ALIKE_DEG: (f64, f64) = (4.0, 40.0);
-/// Width, in spacings, of the middle two thirds of a wall: planes at a sharp edge lean as well, but no farther from it.
-const WIDE: f64 = 1.5;
-/// How far beyond its level place, in spacings, a curve is followed.
-const RISE: f64 = 3.0;
-/// Standard errors of a bend that make it one, and the share of the squared spread that it may leave.
-const BENT: f64 = 6.0;
-const BETTER: f64 = 0.5;
 
 /// A slanted plane beside an outline.
 #[derive(Clone, Copy)]
-struct Meet {
+pub(super) struct Meet {
     /// How far ahead the plane meets the outline.
-    ahead: f64,
+    pub ahead: f64,
     /// How far ahead its point lies, and how far beside the outline.
-    own: f64,
-    off: f64,
+    pub own: f64,
+    pub off: f64,
     /// How much the wall rises for what it falls aside.
-    rise: f64,
-    foot: [f64; 2],
+    pub rise: f64,
+    pub foot: [f64; 2],
 }
 
 /// A line through heights, or the level place of a curve.
-struct Fitted {
-    ahead: f64,
-    error: f64,
+pub(super) struct Fitted {
+    pub ahead: f64,
+    pub error: f64,
 }
 
 /// The height at which the slanted walls beside an outline meet it.
 pub(super) fn fold(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<End> {
-    let all = meets(search, search.ahead_of_start(spots), h, noise);
+    let forward = (search.outer - search.inner).signum();
+    let straight = if search.upright { straight_fold(search, spots, h, noise) } else { None };
+    let level = rim::rim(search, spots, h, noise).filter(|f| search.holds_slow(f.ahead));
+    let (first, by) = match (straight, level) {
+        (Some(a), Some(b)) if a.ahead >= b.ahead - 0.5 * h => (b, By::Rim),
+        (Some(a), _) => (a, By::Fold),
+        (None, b) => (b?, By::Rim),
+    };
+    Some(End { height: search.inner + first.ahead * forward, error: first.error, by })
+}
+
+/// The height of a straight fold.
+fn straight_fold(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<Fitted> {
     let width = (0.4 + 2.5 * noise) * h;
     let forward = (search.outer - search.inner).signum();
-    let straight = straight(&all, width, h, noise).filter(|f| search.holds(search.inner + f.ahead * forward));
-    let level = rim(search, spots, h, noise).filter(|f| search.holds_slow(f.ahead));
-    let first = match (straight, level) {
-        (Some(a), Some(b)) => Some(if a.ahead < b.ahead - 0.5 * h { a } else { b }),
-        (a, b) => a.or(b),
-    }?;
-    let height = search.inner + first.ahead * forward;
-    Some(End { height, error: first.error, by: By::Fold })
+    let near = |f: &Fitted| search.holds(search.inner + f.ahead * forward);
+    let all = meets(search, spots, h, noise);
+    let ahead = meets(search, search.ahead_of_start(spots), h, noise);
+    straight(&ahead, width, h, noise, Lies::Beyond)
+        .filter(near)
+        // Where a small part of the outline folds, slices some way beyond still nearly show it.
+        .or_else(|| straight(&all, width, h, noise, Lies::Beyond).filter(|f| search.holds_slow(f.ahead)))
+        .or_else(|| straight(&all, width, h, noise, Lies::Behind).filter(near))
+}
+
+/// Where a slanted wall lies, from the height at which it meets the outline: beyond it, or over the run's own wall as that of
+/// a dovetail does.
+#[derive(Clone, Copy, PartialEq)]
+enum Lies {
+    Beyond,
+    Behind,
 }
 
 /// Slanted planes that are clear of their edge, by where they meet the outline.
@@ -78,7 +86,7 @@ fn meets(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Vec<Meet> {
 }
 
 /// Where the plane at a spot meets the outline, if it is slanted and falls across it.
-fn meet(search: &Search, s: &Spot, h: f64, noise: f64) -> Option<Meet> {
+pub(super) fn meet(search: &Search, s: &Spot, h: f64, noise: f64) -> Option<Meet> {
     let least = (SLANTED_DEG.0 + SLANTED_DEG.1 * noise).to_radians().sin();
     let lean = s.normal[2].abs();
     if !(least..LEVEL).contains(&lean) || s.off > BESIDE * h || !faces_outline(s) {
@@ -96,7 +104,7 @@ fn meet(search: &Search, s: &Spot, h: f64, noise: f64) -> Option<Meet> {
 }
 
 /// The height at which most planes meet the outline.
-fn straight(all: &[Meet], width: f64, h: f64, noise: f64) -> Option<Fitted> {
+fn straight(all: &[Meet], width: f64, h: f64, noise: f64, lies: Lies) -> Option<Fitted> {
     let window = |i: usize| i..all.partition_point(|a| a.ahead <= all[i].ahead + width);
     let fullest = (0..all.len()).map(window).max_by_key(|w| (w.len(), std::cmp::Reverse(w.start)))?;
     let found = &all[fullest];
@@ -105,10 +113,17 @@ fn straight(all: &[Meet], width: f64, h: f64, noise: f64) -> Option<Fitted> {
     }
     let at = |share: f64| found[((found.len() - 1) as f64 * share) as usize].ahead;
     let ahead = at(0.5);
-    let beyond = found.iter().filter(|a| a.own >= ahead - 0.5 * h).count();
+    let lies_so = |a: &&Meet| match lies {
+        Lies::Beyond => a.own >= ahead - 0.5 * h,
+        Lies::Behind => a.own <= ahead + 0.5 * h,
+    };
+    let there = found.iter().filter(lies_so).count();
+    // A wall over the run's own may end before it reaches that.
+    let reach = (CLEAR.0 + CLEAR.1 * noise + 1.0) * h;
+    let reaches = lies == Lies::Beyond || found.iter().any(|a| a.off.hypot(a.own - ahead) <= reach);
     let error = 1.3 * (at(0.84) - at(0.16)) / (found.len() as f64).sqrt() + 1e-2 * h;
     let refined = line(all, ahead, width, noise).filter(|f| (f.ahead - ahead).abs() <= width);
-    (4 * beyond >= 3 * found.len()).then_some(refined.unwrap_or(Fitted { ahead, error }))
+    (reaches && 4 * there >= 3 * found.len()).then_some(refined.unwrap_or(Fitted { ahead, error }))
 }
 
 /// The height at which a line through the points themselves, by their distance from the outline, meets it: of walls that
@@ -144,109 +159,6 @@ fn line(all: &[Meet], ahead: f64, width: f64, noise: f64) -> Option<Fitted> {
         }
     }
     found
-}
-
-/// The level place of a curve along which slanted walls meet the outline.
-fn rim(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<Fitted> {
-    let own = (OWN.0 + OWN.1 * noise) * h;
-    let clear =
-        |s: &&Spot| meet(search, s, h, noise).is_some_and(|m| s.fits && m.off.hypot(m.own - m.ahead) >= own);
-    let slanted: Vec<Spot> = spots.iter().filter(clear).copied().collect();
-    let groups = parts(&slanted, |s| s.foot, 2.0 * h);
-    let found = groups.iter().filter_map(|group| curve(search, group, h, noise));
-    found.min_by(|a, b| a.ahead.total_cmp(&b.ahead))
-}
-
-/// The level place of the curve along which one wall meets a straight part of the outline.
-fn curve(search: &Search, group: &[Spot], h: f64, noise: f64) -> Option<Fitted> {
-    let mut all: Vec<Meet> = group.iter().filter_map(|s| meet(search, s, h, noise)).collect();
-    if all.len() < 2 * FEWEST {
-        return None;
-    }
-    all.sort_by(|a, b| a.off.total_cmp(&b.off));
-    let at = |share: f64| all[((all.len() - 1) as f64 * share) as usize].off;
-    if at(0.84) - at(0.16) < WIDE * h {
-        return None;
-    }
-    all.sort_by(|a, b| a.ahead.total_cmp(&b.ahead));
-    let low = all[all.len() / 20].ahead;
-    all.retain(|m| m.ahead <= low + RISE * h);
-    let origin = all[0].foot;
-    let far =
-        all.iter().map(|m| m.foot).max_by(|a, b| distance(*a, origin).total_cmp(&distance(*b, origin)))?;
-    let way = unit(sub(far, origin));
-    let reach = distance(far, origin);
-    let straight = |m: &Meet| distance(along(origin, way, dot(sub(m.foot, origin), way)), m.foot) <= 0.5 * h;
-    if reach < RISE * h || !all.iter().all(straight) {
-        return None;
-    }
-    // Places along the outline are taken from the level place as it is known.
-    let mut middle = 0.0;
-    for round in 0..4 {
-        let place = |m: &Meet| dot(sub(m.foot, origin), way) / reach - middle;
-        let bent = Bent::fit(&all, place)?;
-        let level = -bent.slope / (2.0 * bent.bend);
-        let (least, most) =
-            all.iter().map(place).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), s| (l.min(s), m.max(s)));
-        if !bent.clearly || !(least..=most).contains(&level) {
-            return None;
-        }
-        let ahead = bent.at - bent.slope * bent.slope / (4.0 * bent.bend);
-        if round == 3 {
-            let error = 2.0 * bent.sigma / (all.len() as f64).sqrt() + 0.02 * h;
-            return Some(Fitted { ahead, error });
-        }
-        let near = |m: &Meet| {
-            let s = place(m);
-            bent.at + (bent.slope + bent.bend * s) * s <= ahead + RISE * h
-        };
-        all.retain(|m| bent.rest(m, place(m)).abs() <= 2.5 * bent.sigma && near(m));
-        middle += level;
-    }
-    None
-}
-
-/// A parabola along the outline from which a wall rises, the steeper the farther from the level place.
-struct Bent {
-    at: f64,
-    slope: f64,
-    bend: f64,
-    rise: f64,
-    /// What the rise gains by the squared place.
-    gain: f64,
-    /// Standard deviation about it.
-    sigma: f64,
-    /// Whether it is bent, and away from the run.
-    clearly: bool,
-}
-
-impl Bent {
-    fn fit(all: &[Meet], place: impl Fn(&Meet) -> f64) -> Option<Bent> {
-        let n = all.len() as f64;
-        if all.len() < 2 * FEWEST {
-            return None;
-        }
-        let [a, k] = least_squares(all.iter().map(|m| ([1.0, m.off], m.own)))?;
-        let plain = all.iter().map(|m| (m.own - a - k * m.off).powi(2)).sum::<f64>();
-        let row = |m: &Meet| {
-            let s = place(m);
-            ([1.0, s, s * s, m.off, s * s * m.off], m.own)
-        };
-        let [at, slope, bend, rise, gain] = least_squares(all.iter().map(row))?;
-        let mut bent = Bent { at, slope, bend, rise, gain, sigma: 0.0, clearly: false };
-        let left = all.iter().map(|m| bent.rest(m, place(m)).powi(2)).sum::<f64>();
-        bent.sigma = (left / (n - 5.0)).sqrt();
-        let squares: Vec<f64> = all.iter().map(|m| place(m).powi(2)).collect();
-        let mean = squares.iter().sum::<f64>() / n;
-        let power = squares.iter().map(|x| (x - mean).powi(2)).sum::<f64>().sqrt();
-        bent.clearly = bend > BENT * bent.sigma / power && left <= BETTER * plain;
-        Some(bent)
-    }
-
-    /// How far a point at a place lies from it.
-    fn rest(&self, m: &Meet, s: f64) -> f64 {
-        m.own - self.at - (self.slope + self.bend * s) * s - (self.rise + self.gain * s * s) * m.off
-    }
 }
 
 /// Whether a plane falls towards the outline or away from it, and not along it as the flanks of a bore that opens there.

@@ -8,9 +8,9 @@ use super::super::super::result::Sections;
 use super::super::super::surface;
 use super::super::super::tile::Tiles;
 use super::super::super::vec2::sub;
-use super::super::Feature;
 use super::super::profile::Profile;
 use super::super::runs::Found;
+use super::super::{Feature, Run};
 use super::size::Size;
 use super::{By, End};
 use crate::frame::Localised;
@@ -44,6 +44,8 @@ pub(super) struct Search<'a> {
     around: f64,
     /// Whether the walls stand along the axis.
     pub upright: bool,
+    /// For a taper an outline from its middle: what both have in common stands along the axis.
+    other: Option<&'a Profile>,
 }
 
 impl Search<'_> {
@@ -67,6 +69,16 @@ impl Search<'_> {
     /// Whether a slow end may lie so far ahead.
     pub(super) fn holds_slow(&self, ahead: f64) -> bool {
         (-self.slowly..=self.ahead(self.outer)).contains(&ahead)
+    }
+
+    /// Whether any wall stands along the axis.
+    pub(super) fn partly_upright(&self) -> bool {
+        self.upright || self.other.is_some()
+    }
+
+    /// Whether the wall at a place of the outline stands along the axis, to within `slack`.
+    pub(super) fn stands_at(&self, foot: [f64; 2], slack: f64) -> bool {
+        self.upright || self.other.is_some_and(|o| o.outline.off_within(foot, slack).is_some())
     }
 
     /// Whether an end may lie at a height.
@@ -96,15 +108,26 @@ pub(super) fn searches<'a>(
         if run.range_error[0].is_finite() { 2.0 * run.from - first - past } else { f64::NEG_INFINITY };
     let above = if run.range_error[1].is_finite() { 2.0 * run.to - last + past } else { f64::INFINITY };
     let [below, above] = size.to_apex([below, above], [first, last], sections.spacing);
+    let (below, above) =
+        (below.min(first - closing(run, profiles, 0)), above.max(last + closing(run, profiles, 1)));
     let [behind, slowly] = [BEHIND, SLOWLY].map(|far| (far * sections.spacing).min(0.5 * (last - first)));
     let upright = matches!(run.feature, Feature::Extrusion { .. });
     let around = AROUND * sections.spacing;
     // Beside a fold a slice shows a mean of both walls; an extrusion has the same outline in its middle.
     let [low, high] = if upright { [found.middle(); 2] } else { [low, high] };
-    [
-        Search { outline: low, inner: first, outer: below, behind, slowly, around, upright },
-        Search { outline: high, inner: last, outer: above, behind, slowly, around, upright },
-    ]
+    let other = matches!(run.feature, Feature::Taper { .. }).then(|| found.middle());
+    let search =
+        |outline, inner, outer| Search { outline, inner, outer, behind, slowly, around, upright, other };
+    [search(low, first, below), search(high, last, above)]
+}
+
+/// How far beyond its outermost slice a turned wall that closes may go on: its radius there, as a wall that bends inwards does.
+fn closing(run: &Run, profiles: &[&Profile], end: usize) -> f64 {
+    let n = profiles.len();
+    let (outer, inner) =
+        if end == 0 { (profiles[0], profiles[n / 2]) } else { (profiles[n - 1], profiles[n / 2]) };
+    let turned = matches!(run.feature, Feature::Revolution { .. });
+    outer.round.filter(|_| turned && outer.area < inner.area).map_or(0.0, |r| r.radius)
 }
 
 /// A point beside an outline in the slice frame, world unit.

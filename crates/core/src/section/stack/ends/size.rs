@@ -54,7 +54,7 @@ impl Size {
                 size.area = Some(match size.radius {
                     Some([a, b]) => [a * a, 2.0 * a * b, b * b].map(|x| std::f64::consts::PI * x),
                     None if own.len() < 4 => few(&areas, own[0].steepest_deg - own[0].draft_deg.abs()),
-                    None => parabola(&areas),
+                    None => quadratic(&areas),
                 });
             }
             Feature::Revolution { .. } => {}
@@ -127,6 +127,23 @@ fn few(areas: &[[f64; 2]], unlike_deg: f64) -> [f64; 3] {
     let [a, b] = line(&areas.iter().map(|a| [a[0], a[1].sqrt()]).collect::<Vec<_>>());
     [a * a, 2.0 * a * b, b * b]
 }
+
+/// The area of an outline whose parts each move evenly: the parabola, unless the line of one that moves in a part only, or the
+/// square of one that shrinks all round, leaves no more than chance would.
+fn quadratic(areas: &[[f64; 2]]) -> [f64; 3] {
+    let free = parabola(areas);
+    let rest =
+        |[a, b, c]: [f64; 3]| areas.iter().map(|[x, area]| (area - a - (b + c * x) * x).powi(2)).sum::<f64>();
+    let [a, b] = line(areas);
+    let [c, d] = line(&areas.iter().map(|a| [a[0], a[1].sqrt()]).collect::<Vec<_>>());
+    let simple = [[a, b, 0.0], [c * c, 2.0 * c * d, d * d]];
+    let best = if rest(simple[0]) <= rest(simple[1]) { simple[0] } else { simple[1] };
+    let freedom = (areas.len() as f64 - 3.0).max(1.0);
+    if rest(best) <= rest(free) * (1.0 + BENT / freedom) { best } else { free }
+}
+
+/// What a square must explain, in squared standard errors, to be one.
+const BENT: f64 = 9.0;
 
 /// Degrees between the middle of a wall and its most slanted part from which on only a part of it moves.
 const PARTLY_DEG: f64 = 10.0;

@@ -1,6 +1,6 @@
 //! Runs of the same outline.
 
-use super::{ASTRAY, FOLD, Feature, JUMP, Kinds, Reached};
+use super::{ASTRAY, CLEAR, FOLD, Feature, JUMP, Kinds, Reached};
 
 /// Share of a run's contours that must be circles for it to be round.
 const ROUND: f64 = 0.6;
@@ -66,14 +66,18 @@ impl Kinds<'_> {
         let own: Vec<usize> = (first..=last).filter(good).collect();
         let few = last == first || own.len() + Self::spared(first, last).max(1) < last + 1 - first;
         let sides = [false, true];
-        if few || !self.upright(first, last) || !sides.iter().all(|&up| self.settled(&own, middle, up)) {
+        if few || !sides.iter().all(|&up| self.settled(&own, middle, up)) {
+            return None;
+        }
+        let doubtful = !self.upright(first, last);
+        if doubtful && !self.upright_within(first, last) {
             return None;
         }
         let radii: Vec<f64> = own.iter().filter_map(|&k| self.all[k].round.map(|r| r.radius)).collect();
         let round = radii.len() as f64 >= ROUND * own.len() as f64;
         let radius = round.then(|| radii.iter().sum::<f64>() / radii.len() as f64);
         let residual = own.iter().map(|&k| self.apart(k, middle).mean).fold(0.0, f64::max);
-        Some(Reached { first, last, feature: Feature::Extrusion { radius }, residual })
+        Some(Reached { first, last, feature: Feature::Extrusion { radius }, residual, doubtful })
     }
 
     /// Whether the track jumps where the run ends, or the run has not drifted before: its outer contours, without those
@@ -106,14 +110,7 @@ impl Kinds<'_> {
     /// them show the same outline, but walls that lean. Over many slices walls may seem to lean from noise, if they do
     /// so alike throughout; about the widest slice of a sphere they lean the more, the farther from it.
     fn upright(&self, first: usize, last: usize) -> bool {
-        let draft = |k: usize| self.all[k].draft_deg.abs();
-        let steepest = |k: usize| self.all[k].steepest_deg;
-        // Beside a face or a fold they lean anyhow.
-        let clear = |k: &usize| {
-            let height = self.all[*k].height;
-            (height - self.all[first].height).min(self.all[last].height - height) >= 2.0 * FOLD * self.spacing
-        };
-        let inner: Vec<usize> = (first..=last).filter(clear).collect();
+        let inner = self.clear(first, last);
         let long = inner.len() >= MANY && {
             let (low, high) = (inner[0], inner[inner.len() - 1]);
             let quarter = (high - low) / 4;
@@ -123,17 +120,53 @@ impl Kinds<'_> {
                 ends[0].min(ends[1]) - middle <= 0.5 * self.slopes[0]
             };
             let tall = self.all[high].height - self.all[low].height >= LONG * self.spacing;
-            tall && alike(&draft) && alike(&steepest)
+            tall && alike(&|k| self.draft(k)) && alike(&|k| self.steepest(k))
         };
         // Beside a face the planes of single points stray, and of few slices most may lie there.
-        let few = self.noisy && last + 1 - first < FEW && self.jumps(first, false) && self.jumps(last, true);
+        let few = self.noisy && last + 1 - first < FEW && self.edged(first, last);
         let (slack, steep_slack) = if long { (2.0, 2.0) } else { (1.0, if few { 1.5 } else { 1.0 }) };
         let steep = if few && last == first + 1 {
-            steepest(first).min(steepest(last))
+            self.steepest(first).min(self.steepest(last))
         } else {
-            self.median(first, last, steepest)
+            self.median(first, last, |k| self.steepest(k))
         };
-        self.median(first, last, draft) <= slack * self.slopes[0] && steep <= steep_slack * self.slopes[1]
+        let draft = self.median(first, last, |k| self.draft(k));
+        draft <= slack * self.slopes[0] && steep <= steep_slack * self.slopes[1]
+    }
+
+    /// Whether the walls of a run between two edges stand along the axis within it: under noise most of a short one lies
+    /// beside them.
+    fn upright_within(&self, first: usize, last: usize) -> bool {
+        let half = (last - first) / 2;
+        let clear = self.clear(first, last);
+        let own = if clear.is_empty() { (first + half..=last - half).collect() } else { clear };
+        let (low, high) = (own[0], own[own.len() - 1]);
+        let slack = if self.noisy { 1.5 } else { 1.0 };
+        self.edged(first, last)
+            && self.median(low, high, |k| self.draft(k)) <= self.slopes[0]
+            && self.median(low, high, |k| self.steepest(k)) <= slack * self.slopes[1]
+    }
+
+    /// The contours of a run that lie clear of its ends: beside a face or a fold walls lean anyhow.
+    fn clear(&self, first: usize, last: usize) -> Vec<usize> {
+        let clear = |k: &usize| {
+            let height = self.all[*k].height;
+            (height - self.all[first].height).min(self.all[last].height - height) >= CLEAR * self.spacing
+        };
+        (first..=last).filter(clear).collect()
+    }
+
+    fn draft(&self, k: usize) -> f64 {
+        self.all[k].draft_deg.abs()
+    }
+
+    fn steepest(&self, k: usize) -> f64 {
+        self.all[k].steepest_deg
+    }
+
+    /// Whether both ends jump.
+    fn edged(&self, first: usize, last: usize) -> bool {
+        self.jumps(first, false) && self.jumps(last, true)
     }
 
     /// Whether the track ends or shows clearly another outline beyond an end.

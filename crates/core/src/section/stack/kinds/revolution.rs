@@ -25,7 +25,7 @@ impl Kinds<'_> {
         let radii = self.all[first..=last].iter().filter_map(|p| p.round.map(|r| r.radius));
         let (least, most) = radii.fold((f64::INFINITY, 0.0f64), |(l, m), r| (l.min(r), m.max(r)));
         let feature = self.straight(first, last).unwrap_or(Feature::Revolution { least, most });
-        Some(Reached { first, last, feature, residual })
+        Some(Reached { first, last, feature, residual, doubtful: false })
     }
 
     /// The cylinder or the cone that circles show if their radii, but for a few, lie on one line.

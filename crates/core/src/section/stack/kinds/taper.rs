@@ -1,6 +1,6 @@
 //! Runs of an outline that moves evenly with height.
 
-use super::super::super::vec2::{along, cross, sub, unit};
+use super::super::super::vec2::{along, cross, distance, dot, sub, unit};
 use super::super::profile::Profile;
 use super::{FOLD, Feature, JUMP, Kinds, Reached, reach};
 
@@ -10,6 +10,8 @@ const LEAST: usize = 4;
 const SHARP: f64 = 4.0;
 /// How far the halves of a taper may lean apart, in slopes that are taken for none.
 const BEND: f64 = 1.5;
+/// Cosine of the angle within which walls face alike.
+const ALIKE: f64 = 0.7;
 /// Radius in spacings below which a contour says little.
 const SMALL: f64 = 3.0;
 
@@ -43,9 +45,9 @@ impl Kinds<'_> {
         let angle_deg = (moved / span).atan().to_degrees();
         let sides = [(first, false), (last, true)];
         let short = last + 1 - first < LEAST;
+        let folds = sides.map(|(end, up)| self.folds(first, last, end, up));
         let ends = if short {
-            let folds = sides.map(|(end, up)| self.folds(first, last, end, up));
-            folds.contains(&Some(true)) && !folds.contains(&Some(false))
+            !folds.contains(&Some(false))
         } else {
             sides.iter().all(|&(end, up)| self.leaves(first, last, end, up))
         };
@@ -55,7 +57,9 @@ impl Kinds<'_> {
             return None;
         }
         let feature = Feature::Taper { angle_deg, apex: f64::NAN, radius: None };
-        Some(Reached { first, last, feature, residual })
+        // Nothing else of the track tells of its ends.
+        let doubtful = short && folds == [None; 2];
+        Some(Reached { first, last, feature, residual, doubtful })
     }
 
     /// The greatest mean distance of an outline from where the first and the last, blended by height, would put it, if
@@ -77,15 +81,31 @@ impl Kinds<'_> {
         Some(worst)
     }
 
-    /// Points of the lower and of the higher outline that belong together: those of the larger one, in order, with the
-    /// nearest of the smaller. The other way round, points beside a corner would miss the side that has moved.
+    /// Points of the lower and of the higher outline that belong together: those of the larger one, in order, with what its
+    /// wall has become in the smaller. The other way round, points beside a corner would miss the side that has moved.
     fn pairs_between(&self, first: usize, last: usize) -> Vec<([f64; 2], [f64; 2])> {
         let (low, high) = (self.all[first], self.all[last]);
         if low.area >= high.area {
-            low.sample().map(|p| (p, high.outline.nearest(p).0)).collect()
+            self.paired(low, high)
         } else {
-            high.sample().map(|p| (low.outline.nearest(p).0, p)).collect()
+            self.paired(high, low).into_iter().map(|(p, q)| (q, p)).collect()
         }
+    }
+
+    /// The points of an outline, each with the nearest of another; where that lies along the wall and not across it, with the
+    /// nearest that faces alike: the end of a wall that has become shorter.
+    fn paired(&self, from: &Profile, to: &Profile) -> Vec<([f64; 2], [f64; 2])> {
+        let [own, other] = [from, to].map(facing);
+        let pair = |&(p, normal): &([f64; 2], [f64; 2])| {
+            let (foot, off) = to.outline.nearest(p);
+            if off <= self.tolerance || dot(sub(foot, p), normal).abs() >= ALIKE * off {
+                return (p, foot);
+            }
+            let alike = other.iter().filter(|o| dot(o.1, normal) >= ALIKE).map(|o| o.0);
+            let near = alike.min_by(|a, b| distance(*a, p).total_cmp(&distance(*b, p)));
+            (p, near.unwrap_or(foot))
+        };
+        own.iter().map(pair).collect()
     }
 
     /// How far a contour lies from where two others, blended by height, would put it: the mean distance, and the mean
@@ -194,4 +214,15 @@ impl Kinds<'_> {
         let outside = self.beyond(end, up);
         (!outside.is_empty()).then(|| outside.iter().any(other))
     }
+}
+
+/// Points of an outline with the direction square to it, to its right.
+fn facing(profile: &Profile) -> Vec<([f64; 2], [f64; 2])> {
+    let points: Vec<[f64; 2]> = profile.sample().collect();
+    let n = points.len();
+    let normal = |k: usize| {
+        let [x, y] = unit(sub(points[(k + 1) % n], points[(k + n - 1) % n]));
+        [y, -x]
+    };
+    (0..n).map(|k| (points[k], normal(k))).collect()
 }
