@@ -4,9 +4,9 @@
 //! greedily by cost, so that the surest come first and ties fall to the lower index.
 
 use super::ascending::ascending;
-use super::chain::{Chain, NO_NODE, Vertex};
+use super::chain::{Chain, Vertex};
 use super::node::{Node, Nodes};
-use super::packed::Packed;
+use super::tree::Tree;
 use super::vec2::{distance, dot, sub};
 
 /// Greatest length of a link between nodes, in local spacings.
@@ -23,28 +23,22 @@ pub(crate) fn chains(nodes: &Nodes) -> Vec<Chain> {
         distance(a.at, b.at) <= 0.5 * LINK * a.spacing
     };
     take(all, pairs.iter().filter(near).copied(), &mut ports);
-    take(all, far_pairs(nodes, &ports).into_iter(), &mut ports);
+    take(all, far_pairs(all, &ports).into_iter(), &mut ports);
     walk(all, &ports)
 }
 
 /// Pairs of nodes with loose ends, at most [`LINK`] apart.
-fn far_pairs(nodes: &Nodes, ports: &[Ports]) -> Vec<(u32, u32)> {
-    let loose = loose(nodes, ports);
-    let places: Vec<[f64; 2]> = loose.iter().map(|&i| nodes.all[i as usize].at).collect();
-    let (tree, mut found, mut pairs) = (Packed::new(&places), Vec::new(), Vec::new());
+fn far_pairs(nodes: &[Node], ports: &[Ports]) -> Vec<(u32, u32)> {
+    let loose: Vec<u32> =
+        (0..nodes.len() as u32).filter(|&i| ports[i as usize].contains(&u32::MAX)).collect();
+    let places: Vec<[f64; 2]> = loose.iter().map(|&i| nodes[i as usize].at).collect();
+    let (tree, mut found, mut pairs) = (Tree::new(&places), Vec::new(), Vec::new());
     for (k, &a) in loose.iter().enumerate() {
-        let node = &nodes.all[a as usize];
+        let node = &nodes[a as usize];
         tree.within(node.at, LINK * node.spacing, &mut found);
         pairs.extend(found.iter().filter(|&&j| j as usize > k).map(|&j| (a, loose[j as usize])));
     }
     pairs
-}
-
-/// The nodes with loose ends, in the order of the first samples they show, and so beside each other.
-fn loose(nodes: &Nodes, ports: &[Ports]) -> Vec<u32> {
-    let mut loose: Vec<bool> = ports.iter().map(|ports| ports.contains(&u32::MAX)).collect();
-    let owners = nodes.owners.iter().copied().filter(|&owner| owner != NO_NODE);
-    owners.filter(|&owner| std::mem::take(&mut loose[owner as usize])).collect()
 }
 
 /// Takes the links that the pairs allow, the cheapest first, of equal ones the first.

@@ -3,7 +3,7 @@
 //! Nodes are taken from the samples nearest to the plane first; the samples beside a node that show the same piece
 //! of curve need no node of their own.
 
-use super::ascending::dealt;
+use super::ascending::ascending;
 use super::carry::Sample;
 use super::chain::NO_NODE;
 use super::packed::Packed;
@@ -70,18 +70,11 @@ pub(crate) fn nodes(samples: &[Sample], tree: &Packed) -> Nodes {
     nodes
 }
 
-/// The samples in the order they are tried: sound ones first, and those carried little, in classes; in a class they come as
-/// they are, side by side, so that what is read next is near in memory.
+/// The samples in the order they are tried: sound ones first, those nearest to the plane first, ties by index.
 fn order(samples: &[Sample]) -> Vec<u32> {
-    let class = |s: &Sample| {
-        let lift = s.lift.abs();
-        (CLASSES * lift / (1.0 + lift)) as u32 + if s.weak { CLASSES as u32 } else { 0 }
-    };
-    dealt(&samples.iter().map(class).collect::<Vec<u32>>()).0
+    let rank = |s: &Sample| s.lift.abs() / (1.0 + s.lift.abs()) + if s.weak { 1.0 } else { 0.0 };
+    ascending(&samples.iter().map(rank).collect::<Vec<f64>>())
 }
-
-/// Classes of how far samples were carried: with four of them a contour in a hundred came out open.
-const CLASSES: f64 = 8.0;
 
 /// A sample that has no node, and one that needs none; else its state is the index of its node.
 const OPEN: u32 = u32::MAX;

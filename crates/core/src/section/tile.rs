@@ -59,7 +59,7 @@ impl Tiles {
         let mut places = vec![0; index.len()];
         // Filled by all threads, since the first touch of new memory is what costs.
         let mut tiles: Vec<Tile> = index.leaves.par_iter().map(|_| Tile::EMPTY).collect();
-        let block = |scratch: &mut Vec<Spread>, (b, ((places, tiles), leaves)): (usize, Block)| {
+        let block = |scratch: &mut Vec<Spread>, ((places, tiles), leaves): Block| {
             for (l, leaf) in leaves.iter().enumerate() {
                 for (lane, id) in leaf.ids().enumerate() {
                     places[id as usize % BLOCK] = (l * WIDTH + lane) as u16;
@@ -71,11 +71,17 @@ impl Tiles {
                 *tile = own;
                 scratch.push(spread);
             }
-            mixed(leaves, (b * (BLOCK / WIDTH)) as u32, tiles, scratch, noise)
+            settle(leaves, tiles, scratch, noise)
         };
         let blocks = places.par_chunks_mut(BLOCK).zip(tiles.par_chunks_mut(BLOCK / WIDTH));
-        let blocks = blocks.zip(index.leaves.par_chunks(BLOCK / WIDTH)).enumerate();
-        let found: Vec<Vec<Mixed>> = blocks.map_init(Vec::new, block).collect();
+        let blocks = blocks.zip(index.leaves.par_chunks(BLOCK / WIDTH));
+        let planes: Vec<Vec<Patch>> = blocks.map_init(Vec::new, block).collect();
+        let blocks = tiles.par_chunks(BLOCK / WIDTH).zip(index.leaves.par_chunks(BLOCK / WIDTH)).enumerate();
+        let beside = |(b, (tiles, leaves)): (usize, (&[Tile], &[Leaf]))| {
+            let near = &planes[b.saturating_sub(1)..(b + 2).min(planes.len())];
+            mixed(leaves, (b * (BLOCK / WIDTH)) as u32, tiles, near, noise)
+        };
+        let found: Vec<Vec<Mixed>> = blocks.map(beside).collect();
         let (mut mixed, mut patches) = (Vec::new(), Vec::new());
         for own in found.into_iter().flatten() {
             mixed.push(own.leaf);
@@ -91,9 +97,9 @@ impl Tiles {
     }
 }
 
-/// Settles which tiles of one block are flat, and finds its mixed leaves. A tile counts as flat with the three next to it, as
+/// Settles which tiles of one block are flat, and gives their planes. A tile counts as flat with the three next to it, as
 /// a bend that noise hides in one of them shows over all four; or alone, beside a crease, where it continues four flat ones.
-fn mixed(leaves: &[Leaf], first: u32, tiles: &mut [Tile], spreads: &[Spread], noise: f64) -> Vec<Mixed> {
+fn settle(leaves: &[Leaf], tiles: &mut [Tile], spreads: &[Spread], noise: f64) -> Vec<Patch> {
     let widest = even(tiles);
     let mut planes: Vec<Patch> = Vec::new();
     let mut rest = Vec::new();
@@ -121,33 +127,45 @@ fn mixed(leaves: &[Leaf], first: u32, tiles: &mut [Tile], spreads: &[Spread], no
             tile.patch.normal = plane.normal;
         }
     }
-    let creased = |(tile, leaf): (&Tile, &Leaf)| if tile.flat { None } else { shared(leaf, &planes, noise) };
-    let patches = tiles.iter().zip(leaves).map(creased);
-    patches.zip(first..).filter_map(|(patches, leaf)| Some(Mixed { leaf, patches: patches? })).collect()
+    planes
 }
 
-/// The plane nearby that each point of a leaf lies on, if there is one for all of them.
-fn shared(leaf: &Leaf, planes: &[Patch], noise: f64) -> Option<[Patch; WIDTH]> {
+/// The mixed leaves of one block, whose first leaf is `first`, by the planes of it and of the blocks beside it in the order of
+/// the points: a crease may run along where blocks meet.
+fn mixed(leaves: &[Leaf], first: u32, tiles: &[Tile], planes: &[Vec<Patch>], noise: f64) -> Vec<Mixed> {
     if noise > NOISY {
-        return None;
+        return Vec::new();
     }
-    let mut best = [(farthest(noise), usize::MAX); WIDTH];
-    for (k, plane) in planes.iter().enumerate() {
+    let creased = |((tile, leaf), index): ((&Tile, &Leaf), u32)| {
+        let patches = if tile.flat { None } else { shared(leaf, planes, noise) };
+        patches.map(|patches| Mixed { leaf: index, patches })
+    };
+    tiles.iter().zip(leaves).zip(first..).filter_map(creased).collect()
+}
+
+/// The plane nearby that each point of a leaf lies on, if all but [`STRAYS`] have one.
+fn shared(leaf: &Leaf, planes: &[Vec<Patch>], noise: f64) -> Option<[Patch; WIDTH]> {
+    let mut best = [(farthest(noise), Patch::NONE); WIDTH];
+    for plane in planes.iter().flatten() {
         let (base, reach) = (vec3::dot(plane.normal, plane.centre), BESIDE * plane.spacing);
-        let offs = leaf.along(plane.normal).map(|x| (x - base).abs() / plane.spacing);
         let apart = leaf.distances2(plane.centre);
+        if apart.iter().all(|&apart| apart > reach * reach) {
+            continue;
+        }
+        let offs = leaf.along(plane.normal).map(|x| (x - base).abs() / plane.spacing);
         for (best, (off, apart)) in best.iter_mut().zip(offs.into_iter().zip(apart)) {
             if off <= best.0 && apart <= reach * reach {
-                *best = (off, k);
+                *best = (off, *plane);
             }
         }
     }
-    let mut patches = [Patch::NONE; WIDTH];
-    for (slot, (_, k)) in patches.iter_mut().zip(&best[..leaf.len()]) {
-        *slot = *planes.get(*k)?;
-    }
-    Some(patches)
+    let patches = best.map(|(_, patch)| patch);
+    let strays = patches[..leaf.len()].iter().filter(|patch| patch.spacing <= 0.0).count();
+    (strays <= STRAYS).then_some(patches)
 }
+
+/// Points of a leaf that may lie on no plane nearby: they are left out, as one of many that noise or an edge has moved.
+const STRAYS: usize = 1;
 
 /// Tiles much wider than most of a block are not flat: theirs are points of two places, with nothing known between.
 /// Returns the spacing up to which they are taken.
