@@ -39,9 +39,14 @@ pub(super) fn border(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Opt
 }
 
 /// The end `e` for which points even from `from` to `e`, each blurred by `sigma`, are likeliest, with more of them at the end
-/// itself where that is likelier still.
+/// itself where that is much likelier still.
 fn likeliest(points: &[f64], from: f64, last: f64, sigma: f64, h: f64) -> f64 {
-    let ends = LINED.map(|rows| even_end(points, from, last, sigma, rows * h, h));
+    // One number more explains any points a little better: it has to be worth it (Schwarz's criterion).
+    let worth = 0.5 * (points.len() as f64).ln();
+    let ends = LINED.map(|rows| {
+        let (end, log) = even_end(points, from, last, sigma, rows * h, h);
+        (end, if rows > 0.0 { log - worth } else { log })
+    });
     ends.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(last, |e| e.0)
 }
 
