@@ -2,7 +2,8 @@
 //!
 //! A first pass deals the points of each chunk of the input into buckets by the upper bits of their codes, a second
 //! gathers each bucket and sorts it in cache. Points travel between them, so that nothing is fetched from all
-//! over the memory, but not their codes: to work them out twice costs less than to write them down. Both passes run in parallel, and nothing depends on how.
+//! over the memory, but not their codes: to work them out twice costs less than to write them down. Both passes run in
+//! parallel, and nothing depends on how.
 
 use rayon::prelude::*;
 
