@@ -109,3 +109,18 @@ const fn spread(x: u64) -> u64 {
     let x = (x | x << 4) & 0x10c3_0c30_c30c_30c3;
     (x | x << 2) & 0x1249_2492_4924_9249
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bucket_is_the_upper_bits_of_the_code() {
+        let grid = Grid::new([0.0; 3], 100.0);
+        for i in 0..2000_u32 {
+            let point = [7919, 104_729, 1_299_709].map(|prime| f64::from(i * prime % 100_003) / 1000.1);
+            let upper = grid.code(point, 0) >> (3 * (BITS - BUCKET_LEVELS));
+            assert_eq!(grid.bucket(point) as u64, upper, "{point:?}");
+        }
+    }
+}
