@@ -11,6 +11,7 @@ mod ascending;
 mod assign;
 mod axis;
 mod band;
+mod bridge;
 mod carry;
 mod chain;
 mod corner;

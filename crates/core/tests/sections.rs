@@ -261,6 +261,29 @@ fn contours_close_over_the_holes_that_chance_leaves_in_a_slab() {
 }
 
 #[test]
+fn contours_of_solids_close_where_few_points_lie_or_all_on_one_side_of_the_plane() {
+    let scan = Scan::new(Sampling::Area { count: 20_000 }).seed(1);
+    let (mut all, mut open) = (0, 0);
+    for shape in
+        [shapes::star_prism(5), shapes::tapered_block(), shapes::hex_nut(), shapes::regular_prism(6, 2.0)]
+    {
+        let cloud = shape.sample(&scan).cloud;
+        for axis in 0..3 {
+            let sections = cut(&cloud, axis, 37);
+            let mut points: Vec<usize> = sections.sections.iter().map(|s| s.points).collect();
+            points.sort_unstable();
+            // A plane with many more points than the others runs along a face.
+            for section in sections.sections.iter().filter(|s| s.points * 2 <= points[18] * 3) {
+                all += section.contours.len();
+                open += section.contours.iter().filter(|c| !c.closed).count();
+            }
+        }
+    }
+    println!("{open} of {all} contours are open");
+    assert!(all > 400 && open * 100 <= all, "{open} of {all} contours are open");
+}
+
+#[test]
 fn an_open_sheet_gives_open_contours() {
     let cloud = scanned(&shapes::bent_sheet(60.0), 10_000, 0.05);
     let sections = cut(&cloud, 1, 5);

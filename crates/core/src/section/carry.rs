@@ -40,7 +40,7 @@ pub(crate) struct Sample {
 /// How far and on which faces points are carried.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reach {
-    /// Greatest distance along the surface in local spacings: half of the slab's thickness on a steep wall.
+    /// Greatest distance along the surface in local spacings, of points with a plane each.
     pub half: f64,
     /// The same for the points of a flat tile.
     pub far: f64,

@@ -1,8 +1,10 @@
 //! Chains joined at corners and over gaps into contours.
 //!
 //! Loose ends are paired greedily by cost, in rounds of growing reach: two that look straight at each other over a gap,
-//! two whose straight continuations meet in a corner, or two so close that it does not matter how they look.
+//! two whose straight continuations meet in a corner, or two so close that it does not matter how they look. What is left
+//! is bridged where samples lie between.
 
+use super::bridge::{LONGEST, Support};
 use super::chain::{Chain, Vertex};
 use super::stray;
 use super::tree::Tree;
@@ -10,46 +12,48 @@ use super::vec2::{along, cross, distance, dot, meet, sub, unit};
 
 /// Joins the ends of chains, the nearest first, and leaves out strays, also those along `settled` contours: contours,
 /// longest first.
-pub(crate) fn joined(mut chains: Vec<Chain>, settled: &[Chain]) -> Vec<Chain> {
+pub(crate) fn joined(mut chains: Vec<Chain>, settled: &[Chain], support: &Support) -> Vec<Chain> {
     for reach in [2.5, 5.0, 9.0] {
-        if chains.iter().any(|c| !c.closed) {
-            chains = join(chains, reach);
-        }
+        chains = join(chains, 1.5 * reach, |ends, a, b| joint(ends, a, b, reach));
     }
+    chains = join(chains, LONGEST, |ends, a, b| support.joint(ends, a, b));
     stray::dropped(chains, settled)
 }
 
 /// A loose end: where it lies and which way it looks.
 #[derive(Clone, Copy)]
-struct End {
+pub(super) struct End {
     chain: usize,
     last: bool,
-    at: [f64; 2],
-    out: [f64; 2],
-    spacing: f64,
+    pub at: [f64; 2],
+    pub out: [f64; 2],
+    pub spacing: f64,
     length: f64,
     weak: bool,
 }
 
 /// How two ends meet.
 #[derive(Clone, Copy)]
-struct Joint {
-    cost: f64,
-    a: usize,
-    b: usize,
-    corner: Option<[f64; 2]>,
+pub(super) struct Joint {
+    pub cost: f64,
+    pub a: usize,
+    pub b: usize,
+    pub corner: Option<[f64; 2]>,
 }
 
-fn join(chains: Vec<Chain>, reach: f64) -> Vec<Chain> {
+/// Joins ends at most some spacings apart by a rule, the cheapest joints first.
+fn join(chains: Vec<Chain>, reach: f64, rule: impl Fn(&[End], usize, usize) -> Option<Joint>) -> Vec<Chain> {
+    if chains.iter().all(|c| c.closed) {
+        return chains;
+    }
     let ends: Vec<End> = chains.iter().enumerate().filter(|(_, c)| !c.closed).flat_map(ends_of).collect();
     let places: Vec<[f64; 2]> = ends.iter().map(|e| e.at).collect();
     let tree = Tree::new(&places);
     let (mut joints, mut found) = (Vec::new(), Vec::new());
     for (a, end) in ends.iter().enumerate() {
-        tree.within(end.at, 1.5 * reach * end.spacing, &mut found);
-        joints.extend(
-            found.iter().filter(|&&b| b as usize > a).filter_map(|&b| joint(&ends, a, b as usize, reach)),
-        );
+        tree.within(end.at, reach * end.spacing, &mut found);
+        let later = found.iter().map(|&b| b as usize).filter(|&b| b > a && may_join(end, &ends[b]));
+        joints.extend(later.filter_map(|b| rule(&ends, a, b)));
     }
     for j in &mut joints {
         j.cost += if ends[j.a].weak || ends[j.b].weak { WEAK } else { 0.0 };
@@ -86,15 +90,20 @@ fn ends_of((index, chain): (usize, &Chain)) -> [End; 2] {
     [end(false), end(true)]
 }
 
+/// Whether two ends lie near enough to each other beside what they are the ends of.
+fn may_join(e: &End, f: &End) -> bool {
+    let (gap, spacing) = (distance(e.at, f.at), 0.5 * (e.spacing + f.spacing));
+    if e.chain == f.chain {
+        gap <= 0.5 * e.length
+    } else {
+        gap <= (e.length.min(f.length) + spacing).max(1.5 * spacing)
+    }
+}
+
 fn joint(ends: &[End], a: usize, b: usize, reach: f64) -> Option<Joint> {
     let (e, f) = (&ends[a], &ends[b]);
     let spacing = 0.5 * (e.spacing + f.spacing);
     let gap = distance(e.at, f.at);
-    let own = e.chain == f.chain;
-    let room = if own { 0.5 * e.length } else { e.length.min(f.length) + spacing };
-    if gap > room.max(if own { 0.0 } else { 1.5 * spacing }) {
-        return None;
-    }
     let turn = (-dot(e.out, f.out)).clamp(-1.0, 1.0).acos().to_degrees();
     let near = (gap <= NEAR * spacing).then_some(Joint { cost: NEAR + gap / spacing, a, b, corner: None });
     if turn < 30.0 {

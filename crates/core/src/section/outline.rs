@@ -3,6 +3,7 @@
 
 use super::assign::assign;
 use super::band::{Band, Growth};
+use super::bridge::Support;
 use super::carry::Sample;
 use super::chain::Chain;
 use super::packed::Packed;
@@ -23,15 +24,17 @@ pub(crate) struct Drawn {
 /// The outlines of a slab's contours, longest first.
 pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Texture) -> Vec<Drawn> {
     let feet: Vec<[f64; 2]> = samples.iter().map(|s| s.foot).collect();
-    let nodes = node::nodes(samples, &Packed::new(&feet));
+    let tree = Packed::new(&feet);
+    let support = Support { samples, tree: &tree };
+    let nodes = node::nodes(samples, &tree);
     let chains = link::chains(&nodes);
-    let chains = join::joined(chains, &[]).into_iter().map(tidy::tidy).collect();
+    let chains = join::joined(chains, &[], &support).into_iter().map(tidy::tidy).collect();
     let mut free = vec![true; samples.len()];
     let mut bands = assign(samples, &nodes.owners, &free, chains);
     let middle = |b: &Band| tidy::tidy(smooth::middle(b, texture.noise));
     let mut lines: Vec<Chain> = bands.iter().map(middle).collect();
     if !lines.iter().all(|c| c.closed) {
-        again(samples, &nodes.owners, &mut free, &mut bands, &mut lines, middle);
+        again(&support, &nodes.owners, &mut free, &mut bands, &mut lines, middle);
     }
     if params.outline == Outline::Middle && params.side == Side::Middle {
         return drawn(&bands, lines);
@@ -45,7 +48,7 @@ pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Tex
 /// Draws the contours that are open once more, through the samples that no closed one has: smooth ends look the right
 /// way, and may now meet; and samples go to smooth contours, not to chains of nodes.
 fn again(
-    samples: &[Sample],
+    support: &Support,
     owners: &[u32],
     free: &mut [bool],
     bands: &mut Vec<Band>,
@@ -56,7 +59,7 @@ fn again(
     (*bands, *lines) = settled.into_iter().unzip();
     bands.iter().flat_map(|b| &b.marks).for_each(|m| free[m.source as usize] = false);
     let open = open.into_iter().map(|(_, line)| line).filter(drawable).collect();
-    let redrawn = assign(samples, owners, free, join::joined(open, lines));
+    let redrawn = assign(support.samples, owners, free, join::joined(open, lines, support));
     lines.extend(redrawn.iter().map(middle));
     bands.extend(redrawn);
 }

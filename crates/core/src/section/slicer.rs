@@ -18,9 +18,9 @@ use crate::neighbors::Index;
 /// Fewest points of a slab that a curve is sought in.
 pub(super) const FEWEST: usize = 4;
 
-/// How much farther the points of a flat tile are carried than those with a plane each, unless a thickness is given: the
-/// plane of sixteen points is sure enough, and points strewn at random leave holes in a thin slab.
-const FAR: f64 = 2.0;
+/// How much farther than the slab reaches points are carried, unless a thickness is given, as points strewn at random leave
+/// holes in a thin slab: those with a plane each, and those of a flat tile, whose plane is surer.
+const FAR: [f64; 2] = [1.4, 2.0];
 
 /// A cloud to be cut across one axis, with what holds for all slices.
 pub(super) struct Slicer<'a> {
@@ -167,10 +167,14 @@ impl<'a> Slicer<'a> {
         patch.normal = self.frame.coordinates(patch.normal);
         patch.centre = self.frame.coordinates(patch.centre);
         patch.centre[2] -= height;
-        let half = self.params.thickness.map(|t| 0.5 * t / self.scale);
+        let far = |times: f64| match self.params.thickness {
+            Some(thickness) => 0.5 * thickness / self.scale / patch.spacing,
+            None => times * self.params.reach_spacings,
+        };
         let reach = Reach {
-            half: half.map_or(self.params.reach_spacings, |h| h / patch.spacing),
-            far: half.map_or(FAR * self.params.reach_spacings, |h| h / patch.spacing),
+            // An outline through feature points follows single points: the noise of those carried far is too much for it.
+            half: far(if self.merges() { FAR[0] } else { 1.0 }),
+            far: far(FAR[1]),
             noise: self.texture.noise,
             carry: self.params.carry,
         };
