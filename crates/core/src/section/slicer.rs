@@ -9,7 +9,7 @@ use super::params::{self, Cut, Outline, SectionParams, Side};
 use super::result::{self, Missing, Section, Sections};
 use super::slice::{self, Slabs, SliceFrame};
 use super::surface::{self, Patch, Surface, Texture};
-use super::tile::{QUAD, Tile, Tiles};
+use super::tile::{NOISY, QUAD, Tile, Tiles};
 use super::{adaptive, outline};
 use crate::error::Error;
 use crate::frame::Localised;
@@ -162,6 +162,12 @@ impl<'a> Slicer<'a> {
         self.params.outline == Outline::Middle && self.params.side == Side::Middle
     }
 
+    /// Whether points with a plane each are carried far: under strong noise their planes do not reach that far, and an outline
+    /// through feature points follows single points, however far they come from.
+    fn goes_far(&self) -> bool {
+        self.merges() && self.texture.noise <= NOISY
+    }
+
     fn carrier(&self, patch: &Patch, height: f64) -> Option<Carrier> {
         let mut patch = *patch;
         patch.normal = self.frame.coordinates(patch.normal);
@@ -172,8 +178,7 @@ impl<'a> Slicer<'a> {
             None => times * self.params.reach_spacings,
         };
         let reach = Reach {
-            // An outline through feature points follows single points: the noise of those carried far is too much for it.
-            half: far(if self.merges() { FAR[0] } else { 1.0 }),
+            half: far(if self.goes_far() { FAR[0] } else { 1.0 }),
             far: far(FAR[1]),
             noise: self.texture.noise,
             carry: self.params.carry,

@@ -15,7 +15,7 @@ const FEWEST: f64 = 12.0;
 /// surface lies across them.
 const NARROW: f64 = 0.4;
 /// Noise in spacings above which sixteen points do not show a plane well enough.
-const NOISY: f64 = 0.15;
+pub(super) const NOISY: f64 = 0.15;
 
 /// A leaf of the index.
 #[derive(Clone, Copy, Debug)]
