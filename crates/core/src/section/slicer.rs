@@ -20,7 +20,7 @@ pub(super) const FEWEST: usize = 4;
 
 /// How much farther than the slab reaches points are carried, unless a thickness is given, as points strewn at random leave
 /// holes in a thin slab: those with a plane each, and those of a flat tile, whose plane is surer.
-const FAR: [f64; 2] = [1.4, 2.0];
+const FAR: [f64; 2] = [1.2, 2.0];
 
 /// A cloud to be cut across one axis, with what holds for all slices.
 pub(super) struct Slicer<'a> {
