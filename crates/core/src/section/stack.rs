@@ -7,6 +7,7 @@
 mod ends;
 mod kinds;
 mod mirror;
+mod pairs;
 mod profile;
 mod repeats;
 mod runs;
@@ -141,7 +142,7 @@ pub(crate) fn of(local: &Localised, index: &Index, tiles: &Tiles, sections: &Sec
     // The runs of a track stay together until their ends are known.
     let mut found: Vec<Found> =
         tracks.par_iter().flat_map_iter(|t| runs::runs(t, sections, tolerance)).collect();
-    ends::refine(local, index, tiles, sections, &mut found);
+    ends::refine(local, index, tiles, sections, tolerance, &mut found);
     found.sort_by(|a, b| a.run.from.total_cmp(&b.run.from).then_with(|| a.run.contours.cmp(&b.run.contours)));
     let repeats = repeats::repeats(&found, tolerance);
     Stack {

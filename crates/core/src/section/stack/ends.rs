@@ -58,9 +58,10 @@ pub(super) fn refine(
     index: &Index,
     tiles: &Tiles,
     sections: &Sections,
+    tolerance: f64,
     runs: &mut Vec<Found>,
 ) {
-    let sizes: Vec<Size> = runs.par_iter().map(|r| Size::new(r, sections.spacing)).collect();
+    let sizes: Vec<Size> = runs.par_iter().map(|r| Size::new(r, sections.spacing, tolerance)).collect();
     let searches: Vec<Search> =
         runs.iter().zip(&sizes).flat_map(|(r, size)| near::searches(r, size, sections)).collect();
     let near = Ground::new(local, index, tiles, sections).near(&searches);

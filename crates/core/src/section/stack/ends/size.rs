@@ -2,6 +2,7 @@
 //! of its outline moves evenly.
 
 use super::super::Feature;
+use super::super::pairs;
 use super::super::profile::Profile;
 use super::super::runs::Found;
 use crate::math::least_squares::least_squares;
@@ -28,7 +29,7 @@ pub(super) struct Size {
 }
 
 impl Size {
-    pub(super) fn new(found: &Found, h: f64) -> Self {
+    pub(super) fn new(found: &Found, h: f64, tolerance: f64) -> Self {
         let all = &found.profiles;
         let (low, high) = (all[0].height + CLEAR * h, all[all.len() - 1].height - CLEAR * h);
         let clear: Vec<&Profile> = all.iter().copied().filter(|p| (low..=high).contains(&p.height)).collect();
@@ -53,8 +54,7 @@ impl Size {
                 size.radius = (4 * rounds.len() >= 3 * own.len()).then(|| line(&rounds));
                 size.area = Some(match size.radius {
                     Some([a, b]) => [a * a, 2.0 * a * b, b * b].map(|x| std::f64::consts::PI * x),
-                    None if own.len() < 4 => few(&areas, own[0].steepest_deg - own[0].draft_deg.abs()),
-                    None => quadratic(&areas),
+                    None => quadratic(&areas, bent(own[0], own[own.len() - 1], tolerance)),
                 });
             }
             Feature::Revolution { .. } => {}
@@ -117,36 +117,40 @@ impl Size {
     }
 }
 
-/// The square through the areas of a few slices: of an outline that shrinks all round, or by a part only, as walls tell
-/// by how many degrees they lean apart.
-fn few(areas: &[[f64; 2]], unlike_deg: f64) -> [f64; 3] {
-    if unlike_deg > PARTLY_DEG {
-        let [a, b] = line(areas);
-        return [a, b, 0.0];
-    }
-    let [a, b] = line(&areas.iter().map(|a| [a[0], a[1].sqrt()]).collect::<Vec<_>>());
-    [a * a, 2.0 * a * b, b * b]
+/// The square's coefficient that the moves of an outline tell.
+fn bent(low: &Profile, high: &Profile, tolerance: f64) -> f64 {
+    pairs::bent(&pairs::pairs(low, high, tolerance)) / (high.height - low.height).powi(2)
 }
 
-/// The area of an outline whose parts each move evenly: the parabola, unless the line of one that moves in a part only, or the
-/// square of one that shrinks all round, leaves no more than chance would.
-fn quadratic(areas: &[[f64; 2]]) -> [f64; 3] {
+/// The area of an outline whose parts each move evenly: the line of one that moves in a part only, the square of one that
+/// shrinks all round, or what lies between, as the moves tell; the free parabola where that explains far more.
+fn quadratic(areas: &[[f64; 2]], bent: f64) -> [f64; 3] {
+    let mapped =
+        |of: &dyn Fn(&[f64; 2]) -> f64| line(&areas.iter().map(|p| [p[0], of(p)]).collect::<Vec<_>>());
+    let [a, b] = mapped(&|p| p[1].sqrt());
+    let square = [a * a, 2.0 * a * b, b * b];
+    let told = match bent / square[2] {
+        share if share.abs() <= NEARLY => 0.0,
+        share if (share - 1.0).abs() <= NEARLY => square[2],
+        _ => bent,
+    };
+    let [a, b] = mapped(&|[x, area]| area - told * x * x);
+    let told = if told == square[2] { square } else { [a, b, told] };
+    let freedom = areas.len() as f64 - 3.0;
+    if freedom < 1.0 {
+        return told;
+    }
     let free = parabola(areas);
     let rest =
         |[a, b, c]: [f64; 3]| areas.iter().map(|[x, area]| (area - a - (b + c * x) * x).powi(2)).sum::<f64>();
-    let [a, b] = line(areas);
-    let [c, d] = line(&areas.iter().map(|a| [a[0], a[1].sqrt()]).collect::<Vec<_>>());
-    let simple = [[a, b, 0.0], [c * c, 2.0 * c * d, d * d]];
-    let best = if rest(simple[0]) <= rest(simple[1]) { simple[0] } else { simple[1] };
-    let freedom = (areas.len() as f64 - 3.0).max(1.0);
-    if rest(best) <= rest(free) * (1.0 + BENT / freedom) { best } else { free }
+    if rest(told) <= rest(free) * (1.0 + BENT / freedom) { told } else { free }
 }
+
+/// How near to the line or the square the moves put what is taken for it, in squares.
+const NEARLY: f64 = 0.4;
 
 /// What a square must explain, in squared standard errors, to be one.
 const BENT: f64 = 9.0;
-
-/// Degrees between the middle of a wall and its most slanted part from which on only a part of it moves.
-const PARTLY_DEG: f64 = 10.0;
 
 /// Real roots of `a + b x + c x^2`.
 fn roots([a, b, c]: [f64; 3]) -> Vec<f64> {
@@ -182,7 +186,7 @@ fn parabola(points: &[[f64; 2]]) -> [f64; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::{line, parabola, roots};
+    use super::{line, parabola, quadratic, roots};
 
     #[test]
     fn polynomials_are_fitted_and_solved() {
@@ -194,5 +198,18 @@ mod tests {
         assert_eq!(found, [1.0, 3.0]);
         assert_eq!(roots([4.0, -2.0, 0.0]), [2.0]);
         assert_eq!(line(&[[0.0, 1.0], [2.0, 5.0]]), [1.0, 2.0]);
+    }
+
+    #[test]
+    fn few_areas_go_on_as_the_outline_moves() {
+        // A wall four times as high as it is far, between sides that close: its area is 12 x - 3.6 x^2.
+        let area = |x: f64| [x, 12.0 * x - 3.6 * x * x];
+        let mut found = roots(quadratic(&[area(0.26), area(0.43)], -3.6));
+        found.sort_by(f64::total_cmp);
+        assert!(found[0].abs() < 1e-9, "{found:?}");
+        // What is nearly a line or a square is one, whatever noise makes of the moves.
+        assert_eq!(quadratic(&[[0.0, 1.0], [1.0, 2.0]], 0.01), [1.0, 1.0, 0.0]);
+        let square = quadratic(&[[0.0, 1.0], [1.0, 4.0]], 1.2);
+        assert!(square.iter().zip([1.0, 2.0, 1.0]).all(|(a, b)| (a - b).abs() < 1e-9), "{square:?}");
     }
 }

@@ -1,6 +1,7 @@
 //! Runs of an outline that moves evenly with height.
 
-use super::super::super::vec2::{along, cross, distance, dot, sub, unit};
+use super::super::super::vec2::{cross, sub, unit};
+use super::super::pairs::{Pair, blend, pairs};
 use super::super::profile::Profile;
 use super::{FOLD, Feature, JUMP, Kinds, Reached, reach};
 
@@ -10,8 +11,6 @@ const LEAST: usize = 4;
 const SHARP: f64 = 4.0;
 /// How far the halves of a taper may lean apart, in slopes that are taken for none.
 const BEND: f64 = 1.5;
-/// Cosine of the angle within which walls face alike.
-const ALIKE: f64 = 0.7;
 /// Radius in spacings below which a contour says little.
 const SMALL: f64 = 3.0;
 
@@ -65,7 +64,7 @@ impl Kinds<'_> {
     /// The greatest mean distance of an outline from where the first and the last, blended by height, would put it, if
     /// it is within the tolerance; with its sign it must be within half of that, as a wall that bends does so to one side.
     fn blended(&self, first: usize, last: usize) -> Option<f64> {
-        let pairs = self.pairs_between(first, last);
+        let pairs = pairs(self.all[first], self.all[last], self.tolerance);
         let mut astray = Self::spared(first, last);
         let mut worst = 0.0f64;
         for k in first + 1..last {
@@ -81,39 +80,12 @@ impl Kinds<'_> {
         Some(worst)
     }
 
-    /// Points of the lower and of the higher outline that belong together: those of the larger one, in order, with what its
-    /// wall has become in the smaller. The other way round, points beside a corner would miss the side that has moved.
-    fn pairs_between(&self, first: usize, last: usize) -> Vec<([f64; 2], [f64; 2])> {
-        let (low, high) = (self.all[first], self.all[last]);
-        if low.area >= high.area {
-            self.paired(low, high)
-        } else {
-            self.paired(high, low).into_iter().map(|(p, q)| (q, p)).collect()
-        }
-    }
-
-    /// The points of an outline, each with the nearest of another; where that lies along the wall and not across it, with the
-    /// nearest that faces alike: the end of a wall that has become shorter.
-    fn paired(&self, from: &Profile, to: &Profile) -> Vec<([f64; 2], [f64; 2])> {
-        let [own, other] = [from, to].map(facing);
-        let pair = |&(p, normal): &([f64; 2], [f64; 2])| {
-            let (foot, off) = to.outline.nearest(p);
-            if off <= self.tolerance || dot(sub(foot, p), normal).abs() >= ALIKE * off {
-                return (p, foot);
-            }
-            let alike = other.iter().filter(|o| dot(o.1, normal) >= ALIKE).map(|o| o.0);
-            let near = alike.min_by(|a, b| distance(*a, p).total_cmp(&distance(*b, p)));
-            (p, near.unwrap_or(foot))
-        };
-        own.iter().map(pair).collect()
-    }
-
     /// How far a contour lies from where two others, blended by height, would put it: the mean distance, and the mean
     /// with its sign, positive for the outside.
-    fn off_blend(&self, pairs: &[([f64; 2], [f64; 2])], first: usize, last: usize, k: usize) -> (f64, f64) {
+    fn off_blend(&self, pairs: &[Pair], first: usize, last: usize, k: usize) -> (f64, f64) {
         let (low, high, p) = (self.all[first], self.all[last], self.all[k]);
         let share = (p.height - low.height) / (high.height - low.height);
-        let blend: Vec<[f64; 2]> = pairs.iter().map(|&(a, b)| along(a, sub(b, a), share)).collect();
+        let blend = blend(pairs, share);
         let turn = low.signed_area.signum();
         let (mut sum, mut signed) = (0.0, 0.0);
         for (j, &at) in blend.iter().enumerate() {
@@ -152,7 +124,7 @@ impl Kinds<'_> {
     /// of it stay under; degrees.
     fn slopes_between(&self, first: usize, last: usize) -> (f64, f64) {
         let (low, high) = (self.all[first], self.all[last]);
-        let pairs = self.pairs_between(first, last);
+        let pairs = pairs(self.all[first], self.all[last], self.tolerance);
         let points: Vec<[f64; 2]> =
             pairs.iter().map(|p| if low.area >= high.area { p.0 } else { p.1 }).collect();
         let rise = high.height - low.height;
@@ -191,7 +163,7 @@ impl Kinds<'_> {
         if outside.is_empty() {
             return true;
         }
-        let pairs = self.pairs_between(first, last);
+        let pairs = pairs(self.all[first], self.all[last], self.tolerance);
         let leaves = |&k: &usize| self.off_blend(&pairs, first, last, k).0 >= JUMP * self.tolerance;
         outside.iter().any(leaves) || self.folds(first, last, end, up) == Some(true)
     }
@@ -214,15 +186,4 @@ impl Kinds<'_> {
         let outside = self.beyond(end, up);
         (!outside.is_empty()).then(|| outside.iter().any(other))
     }
-}
-
-/// Points of an outline with the direction square to it, to its right.
-fn facing(profile: &Profile) -> Vec<([f64; 2], [f64; 2])> {
-    let points: Vec<[f64; 2]> = profile.sample().collect();
-    let n = points.len();
-    let normal = |k: usize| {
-        let [x, y] = unit(sub(points[(k + 1) % n], points[(k + n - 1) % n]));
-        [y, -x]
-    };
-    (0..n).map(|k| (points[k], normal(k))).collect()
 }
