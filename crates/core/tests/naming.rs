@@ -69,6 +69,18 @@ fn plain_parts_are_measured_to_a_tenth_of_a_spacing() {
 }
 
 #[test]
+fn a_chamfer_with_a_slice_beside_its_fold_is_named() {
+    for part in parts::parts().into_iter().filter(|p| p.shape.name == "stepped shaft") {
+        // The chamfer has two slices, the lower one .7 spacings from its fold.
+        let scan = Scan::new(Sampling::BlueNoise { count: part.count }).noise(0.1).seed(3);
+        let (sections, stack) = cut(&part.shape.sample(&scan).cloud, Axis::Coordinate(2), 37);
+        let verdict = judge(&part.views[0].features, 0.0, &sections, &stack);
+        assert_eq!(verdict.named, part.views[0].features.len(), "{:?} missing", verdict.missing);
+        assert!(verdict.extra.is_empty(), "{:?} are not there", verdict.extra);
+    }
+}
+
+#[test]
 fn parts_kept_out_are_named_too() {
     // The wedges beside a dovetail's groove want more slices than two.
     let newest = verdicts(parts::newest(), 0.0, 81);

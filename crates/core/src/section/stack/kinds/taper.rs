@@ -99,10 +99,34 @@ impl Kinds<'_> {
         (sum / n, signed / n)
     }
 
-    /// Whether the walls of the slices lean as the outlines move: where they lean most, and in the middle too unless only
-    /// a part of the outline moves.
-    fn leans(&self, first: usize, last: usize, all: bool) -> bool {
-        let (middle, most) = self.slopes_between(first, last);
+    /// Whether the walls of the slices lean as the outlines move: of a short run those of all slices, but for one at a fold.
+    fn leans(&self, first: usize, last: usize, short: bool) -> bool {
+        let slopes = self.slopes_between(first, last);
+        if !short {
+            return self.lean_as(first, last, slopes, false);
+        }
+        let above_fold = (first + usize::from(self.mixed(first, false, slopes)), last);
+        let below_fold = (first, last - usize::from(self.mixed(last, true, slopes)));
+        [above_fold, below_fold].into_iter().any(|(first, last)| self.lean_as(first, last, slopes, true))
+    }
+
+    /// Whether an end of a run lies so near to a fold that it shows a mean of its wall and of the straight one beyond.
+    fn mixed(&self, end: usize, up: bool, (middle, _): (f64, f64)) -> bool {
+        let mut outside = self.outside(end, up);
+        let (Some(beyond), Some(next)) = (outside.next(), outside.next()) else { return false };
+        let straight = (self.all[beyond].draft_deg - self.all[next].draft_deg).abs() <= self.slopes[0];
+        let [own, other] = [end, beyond].map(|k| self.all[k].draft_deg - middle);
+        let (near, far) = (self.all[end], self.all[beyond]);
+        let rise = far.height - near.height;
+        let [here, there] = [middle, far.draft_deg].map(|lean| lean.to_radians().tan());
+        // Where the walls meet, if both are straight, in heights of the end.
+        let fold = (far.beyond(near) - there * rise) / (here - there) * rise.signum();
+        straight && (0.0..=0.5).contains(&(own / other)) && (0.0..=FOLD * self.spacing).contains(&fold)
+    }
+
+    /// Whether walls lean by the angles given, [`Kinds::slopes_between`]: where they lean most, and in the middle too unless
+    /// only a part of the outline moves.
+    fn lean_as(&self, first: usize, last: usize, (middle, most): (f64, f64), all: bool) -> bool {
         let whole = most - middle.abs() <= self.slopes[1];
         let steep = |k: usize| self.all[k].steepest_deg;
         let lean = |k: usize| if whole { self.all[k].draft_deg } else { middle };
