@@ -9,7 +9,7 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Stdio};
 use std::time::Instant;
 
 use lineament::Cloud;
@@ -45,8 +45,9 @@ fn main() -> Fallible<()> {
     let mut seconds = [const { Vec::new() }; TASKS.len()];
     for _ in 0..ROUNDS {
         for ((task, _), seconds) in TASKS.iter().zip(&mut seconds) {
-            let told =
-                Command::new(std::env::current_exe()?).args([task]).args([&input, &output]).output()?.stdout;
+            let mut own = Command::new(std::env::current_exe()?);
+            // What goes wrong there is told here.
+            let told = own.arg(task).args([&input, &output]).stderr(Stdio::inherit()).output()?.stdout;
             seconds.push(String::from_utf8(told)?.trim().parse::<f64>()?);
         }
     }
