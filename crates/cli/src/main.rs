@@ -9,7 +9,6 @@ mod network_file;
 mod outputs;
 mod progress;
 mod run;
-mod section_args;
 mod source;
 mod summary;
 mod work;

@@ -2,6 +2,7 @@
 
 mod classify;
 mod completions;
+mod context;
 mod extract;
 mod info;
 mod man;
@@ -9,6 +10,8 @@ mod params;
 mod patches;
 mod render;
 mod section;
+mod slices;
+mod slicing;
 mod stages;
 
 use crate::args::Command;
@@ -22,10 +25,10 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Patches(args) => patches::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Section(args) => section::run(&args),
-        Command::Slices(args) => section::slices(&args),
+        Command::Slices(args) => slices::run(&args),
         Command::Info(args) => info::run(&args),
-        Command::Params(tuning) => params::run(&tuning),
-        Command::Completions { shell } => completions::run(shell),
-        Command::Man { folder } => man::run(&folder),
+        Command::Params(args) => params::run(&args),
+        Command::Completions(args) => completions::run(&args),
+        Command::Man(args) => man::run(&args),
     }
 }

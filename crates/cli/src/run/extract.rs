@@ -4,17 +4,14 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use lineament::apply::render::View;
-use lineament::{Extraction, Params};
-use lineament_io::{
-    LasFrame, NetworkContext, NetworkFormat, Parameter, ReadOptions, network_format, write_network,
-};
+use lineament_io::{NetworkContext, NetworkFormat, ReadOptions, network_format, write_network};
 
+use super::context::context;
 use super::stages;
 use crate::args::Extract;
 use crate::batch::Done;
-use crate::config::text;
 use crate::failure::{Code, Failure};
-use crate::source::{self, Input, Origin};
+use crate::source::{self, Origin};
 use crate::work::{self, Work};
 use crate::{outputs, summary};
 
@@ -63,25 +60,4 @@ fn one(
     lines.push(summary::times(&input, &found.report, wrote, total));
     lines.push(summary::written(&[outputs, &staged].concat()));
     Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), total) })
-}
-
-/// What an output says of where its lines come from.
-pub(super) fn context(input: &Input, params: &Params, found: &Extraction) -> NetworkContext {
-    let entries = params.entries();
-    let parameters = entries.iter().map(|e| Parameter { key: e.key.clone(), value: text::value(&e.value) });
-    let method = entries.iter().find(|e| e.key == "method").map(|e| e.value.clone());
-    NetworkContext {
-        program_version: env!("CARGO_PKG_VERSION").into(),
-        input_name: input.name.clone(),
-        input_sha256: input.sha256.clone(),
-        input_points: found.report.read as u64,
-        method: method.unwrap_or_default(),
-        parameters: parameters.collect(),
-        spacing: found.report.spacing,
-        noise: Some(found.report.noise),
-        crs: input.crs.clone(),
-        crs_wkt: input.las.as_ref().and_then(LasFrame::wkt),
-        patches: found.patches.clone(),
-        ..NetworkContext::default()
-    }
 }

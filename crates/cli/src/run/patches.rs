@@ -8,7 +8,7 @@ use lineament::patch::NO_PATCH;
 use lineament::{Attribute, Column, Extraction, Method, Params, Patches};
 use lineament_io::{PatchFormat, PointTable, ReadOptions, patch_format, write_patches};
 
-use super::extract::context;
+use super::context::context;
 use super::stages;
 use crate::args;
 use crate::batch::Done;

@@ -1,13 +1,13 @@
-//! The command lines of `section` and `slices`.
+//! The command line of `section`.
 
 use std::path::PathBuf;
 
-use clap::{Args as ClapArgs, ValueEnum, ValueHint};
+use clap::{Args, ValueEnum, ValueHint};
 use lineament::section::{Axis, Outline, Planes, SectionParams, Side};
 
-use crate::args::{Running, Source};
+use super::groups::{Running, Source};
 
-pub const SECTION_HELP: &str = "\
+const HELP: &str = "\
 Formats by extension:
   .json     everything found, in the schema lineament-section/1
   .dxf      lines, arcs and circles, a layer a slice, and the names of holes, extrusions ...
@@ -34,14 +34,9 @@ Examples:
   lineament section part.ply -o part.svg --adaptive 16              few slices where nothing changes
   lineament section part.ply -o part.json --axis 1,0,1 --every 2.5 --outline voronoi";
 
-const SLICES_HELP: &str = "\
-Examples:
-  lineament slices part.ply -o slices --count 40
-  lineament slices scan.laz -o plans --at=0.5,1.5,2.5";
-
 /// Arguments of `section`.
-#[derive(Debug, ClapArgs)]
-#[command(after_help = SECTION_HELP)]
+#[derive(Debug, Args)]
+#[command(after_help = HELP)]
 pub struct Section {
     #[command(flatten)]
     pub source: Source,
@@ -55,23 +50,8 @@ pub struct Section {
     pub running: Running,
 }
 
-/// Arguments of `slices`.
-#[derive(Debug, ClapArgs)]
-#[command(after_help = SLICES_HELP)]
-pub struct Slices {
-    #[command(flatten)]
-    pub source: Source,
-    /// The folder to write a picture a slice into: slice_0000.svg and so on; it is made if it is not there
-    #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
-    pub output: PathBuf,
-    #[command(flatten)]
-    pub slicing: Slicing,
-    #[command(flatten)]
-    pub running: Running,
-}
-
 /// Where to cut and how to draw.
-#[derive(Clone, Debug, ClapArgs)]
+#[derive(Clone, Debug, Args)]
 pub struct Slicing {
     /// Across the slices: x, y, z, a vector X,Y,Z, `auto` (the axis that most of the surface stands along, lies across or is
     /// turned about; of several the one along which sections change least often, then the longest), `long` (the longest

@@ -1,0 +1,11 @@
+//! Arguments that several commands share.
+
+mod running;
+mod source;
+mod tuning;
+mod work;
+
+pub use running::Running;
+pub use source::{Reading, Source};
+pub use tuning::Tuning;
+pub use work::Work;

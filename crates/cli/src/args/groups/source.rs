@@ -1,0 +1,52 @@
+//! The inputs, and how they are read.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueHint};
+use lineament_io::Format;
+
+use crate::args::parse;
+
+/// Where the points come from.
+#[derive(Clone, Debug, Args)]
+pub struct Source {
+    /// The scans to read, each on its own; `-` is standard input
+    #[arg(value_hint = ValueHint::FilePath, required_unless_present = "sample", conflicts_with = "sample")]
+    pub input: Vec<PathBuf>,
+    /// Use a generated scan instead of a file; `list` lists them
+    #[arg(long, value_name = "NAME")]
+    pub sample: Option<String>,
+    /// Seed of the generated scan
+    #[arg(long, value_name = "N", requires = "sample", default_value_t = 1)]
+    pub seed: u64,
+    #[command(flatten)]
+    pub reading: Reading,
+}
+
+/// What of a file is read.
+#[derive(Clone, Debug, Default, Args)]
+#[command(next_help_heading = "Reading")]
+pub struct Reading {
+    /// Read only the points inside this box, its faces included
+    #[arg(long, value_name = "X,Y,Z,X,Y,Z", value_parser = parse::bounds, allow_hyphen_values = true)]
+    #[arg(conflicts_with = "sample")]
+    pub bounds: Option<[[f64; 3]; 2]>,
+    /// Read only one point of every cube with this edge, in the unit of the input
+    #[arg(long, value_name = "SIZE", conflicts_with = "sample", value_parser = parse::length)]
+    pub voxel: Option<f64>,
+    /// Read only one scan of a file that holds several, counted from 1
+    #[arg(long, value_name = "N", conflicts_with = "sample", value_parser = parse::count)]
+    pub scan: Option<usize>,
+    /// Take the input for this format, whatever it looks like
+    #[arg(long, value_name = "NAME", conflicts_with = "sample", value_parser = parse::format)]
+    pub input_format: Option<Format>,
+    /// Memory that the points of a compressed input may take, such as 4G [default: 64M and eight times the file]
+    #[arg(long, value_name = "BYTES", conflicts_with = "sample", value_parser = parse::bytes)]
+    pub memory: Option<u64>,
+    /// Of a file that ends early, read what is whole, and say how much is missing
+    #[arg(long)]
+    pub salvage: bool,
+    /// Refuse scans with points that are not finite instead of leaving those out
+    #[arg(long)]
+    pub strict: bool,
+}

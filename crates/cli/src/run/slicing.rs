@@ -1,0 +1,78 @@
+//! Cutting an input, and messages about its slices: shared by `section` and `slices`.
+
+use std::time::Instant;
+
+use lineament::section::{Feature, SectionParams, Sections, Stack};
+use lineament_io::ReadOptions;
+
+use crate::args::{Running, Slicing, Source};
+use crate::failure::Failure;
+use crate::source::{Input, Origin};
+use crate::{progress, summary};
+
+/// Heads of the table of many inputs.
+pub const HEADER: [&str; 6] = ["input", "points", "slices", "contours", "closed", "seconds"];
+
+pub fn checked(slicing: &Slicing) -> Result<SectionParams, Failure> {
+    let params = slicing.params();
+    params.check()?;
+    Ok(params)
+}
+
+pub fn cut(
+    source: &Source,
+    origin: &Origin,
+    params: &SectionParams,
+    hash: bool,
+    quiet: bool,
+) -> Result<(Input, Sections, Stack), Failure> {
+    let input =
+        origin.load(&source.reading, &ReadOptions { attributes: false, hash, ..Default::default() })?;
+    let found = progress::sectioned(&input.cloud, params, quiet);
+    let (sections, stack) = found.map_err(|e| Failure::from(e).at(origin.shown()))?;
+    Ok((input, sections, stack))
+}
+
+fn closed(sections: &Sections) -> usize {
+    sections.contours().filter(|(_, contour)| contour.closed).count()
+}
+
+pub fn row(input: &Input, sections: &Sections, start: Instant) -> Vec<String> {
+    let counts = [input.cloud.len(), sections.sections.len(), sections.contours().count(), closed(sections)];
+    let seconds = format!("{:.2}", start.elapsed().as_secs_f64());
+    counts.map(summary::grouped).into_iter().chain([seconds]).collect()
+}
+
+pub fn said(running: &Running, input: &Input, sections: &Sections, stack: &Stack) -> Vec<String> {
+    let points = summary::read(input, [input.cloud.len(), sections.dropped, sections.merged]);
+    let spacing = summary::figure(sections.spacing);
+    let mut lines = vec![points, format!("spacing {spacing}, noise {:.2} spacings", sections.noise)];
+    lines.extend(input.missing.iter().map(|missing| format!("warning: {missing}")));
+    let slices = summary::plural(sections.sections.len(), "slice");
+    let contours = summary::plural(sections.contours().count(), "contour");
+    lines.push(format!("{slices}, {contours}, {} closed", summary::grouped(closed(sections))));
+    lines.extend(sections.sections.iter().filter_map(|section| {
+        let height = summary::figure(section.height);
+        Some(format!("slice {} at {height}: {}", section.plane, section.missing?.reason()))
+    }));
+    let shows_runs = running.verbose || stack.runs.len() <= 20;
+    lines.extend(stack.runs.iter().filter(|_| shows_runs).map(|run| {
+        let hole = if run.hole { " hole" } else { "" };
+        let (from, to) = (summary::figure(run.from), summary::figure(run.to));
+        let round = round(&run.feature).unwrap_or_default();
+        format!("{}{hole}{round} from {from} to {to}: {} slices", run.feature.name(), run.contours.len())
+    }));
+    lines
+}
+
+/// The radius of a round feature, or the least and the greatest.
+fn round(feature: &Feature) -> Option<String> {
+    match *feature {
+        Feature::Extrusion { radius } | Feature::Taper { radius, .. } => {
+            radius.map(|r| format!(" r {}", summary::figure(r)))
+        }
+        Feature::Revolution { least, most } => {
+            Some(format!(" r {} to {}", summary::figure(least), summary::figure(most)))
+        }
+    }
+}
