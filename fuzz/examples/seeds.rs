@@ -1,16 +1,16 @@
 //! Writes the seeds of every target: `seeds FOLDER` makes `FOLDER/TARGET/NAME`.
 
-#[path = "../../crates/io/tests/common/copc.rs"]
+#[path = "../../crates/io/tests/suite/common/copc.rs"]
 mod copc;
-#[path = "../../crates/io/tests/common/e57.rs"]
+#[path = "../../crates/io/tests/suite/common/e57.rs"]
 mod e57;
-#[path = "../../crates/io/tests/common/gps.rs"]
+#[path = "../../crates/io/tests/suite/common/gps.rs"]
 mod gps;
-#[path = "../../crates/io/tests/common/las.rs"]
+#[path = "../../crates/io/tests/suite/common/las.rs"]
 mod las;
-#[path = "../../crates/io/tests/common/parquet.rs"]
+#[path = "../../crates/io/tests/suite/common/parquet.rs"]
 mod parquet;
-#[path = "../../crates/io/tests/common/seeds.rs"]
+#[path = "../../crates/io/tests/suite/common/seeds.rs"]
 mod seeds;
 
 use std::path::Path;

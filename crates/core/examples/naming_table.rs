@@ -1,14 +1,14 @@
 //! What the stack of slices names beside what each part has: `cargo run --release --example naming_table -- [PART] [-v] [-q] [-u|-n] [-a]`.
 //!
-//! Each part of `tests/naming/parts.rs` is scanned with several seeds and noise levels, turned or not, and cut in several
+//! Each part of `tests/suite/naming/parts.rs` is scanned with several seeds and noise levels, turned or not, and cut in several
 //! numbers of slices. A row tells of one part, view and noise: features named, the share of ends within 0.1 spacing,
 //! the worst, the share within twice of what the run states, the share of sizes (radii, apexes) within 0.1 spacing, the
 //! worst, and what is missing or named for nothing over all its clouds. `-v` tells of each, `-q` takes one seed, `-u`
 //! the parts that no method was tried on at first, `-n` those that came last, `-a` what the three rules for an automatic axis find on turned parts.
 
-#[path = "../tests/naming/judge.rs"]
+#[path = "../tests/suite/naming/judge.rs"]
 mod judge;
-#[path = "../tests/naming/parts.rs"]
+#[path = "../tests/suite/naming/parts.rs"]
 mod parts;
 
 use judge::{Off, Verdict, judge};

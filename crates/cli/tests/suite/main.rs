@@ -1,0 +1,14 @@
+//! Tests of the program as its users run it, one module a subject.
+
+mod batch;
+mod commands;
+mod common;
+mod degenerate;
+mod detectors;
+mod exit_codes;
+mod map_coordinates;
+mod reading;
+mod same_bytes;
+mod section;
+mod streams;
+mod threads;

@@ -1,0 +1,14 @@
+//! Tests of the library as its users call it, one module a subject.
+
+mod common;
+mod degenerate;
+mod false_lines;
+mod metamorphic;
+mod naming;
+mod narrow_faces;
+mod projection;
+mod section_axis;
+mod section_degenerate;
+mod section_properties;
+mod sections;
+mod shapes_networks;

@@ -1,0 +1,215 @@
+//! What must not change the network, or change it in a known way.
+
+use crate::common::{cloud, few_bits, found};
+use lineament::shapes::{Fold, bent_sheet, cube_386, cylinders, random_cube, sheet_with_hole, wedge};
+use lineament::shapes::{Rng, Sampling, Scan, Shape, Truth, TruthCurve, TruthNode};
+use lineament::{Network, check};
+
+/// Clouds with creases, borders, loops and noise, no point twice, coordinates of few bits.
+fn clouds() -> Vec<(&'static str, Vec<[f64; 3]>)> {
+    let scan = |shape: Shape, count, noise| {
+        shape.sample(&Scan::new(Sampling::BlueNoise { count }).noise(noise).seed(3)).cloud.positions
+    };
+    let clouds = [
+        ("cube", cube_386().cloud.positions),
+        ("bent sheet", scan(bent_sheet(60.0), 1500, 0.1)),
+        ("sheet with a hole", scan(sheet_with_hole(), 2000, 0.0)),
+        ("cylinders", scan(cylinders(1.0, 0.6), 3000, 0.0)),
+        ("wedge", scan(wedge(90.0), 2500, 0.25)),
+    ];
+    clouds.map(|(name, points)| (name, few_bits(&points))).to_vec()
+}
+
+/// The network with its sources as `number` counts them.
+fn renumbered(mut network: Network, number: impl Fn(u32) -> u32) -> Network {
+    network.nodes.iter_mut().for_each(|n| n.source = number(n.source));
+    network.strips.iter_mut().flat_map(|s| &mut s.sources).for_each(|s| *s = number(*s));
+    network
+}
+
+/// The network with its positions through `place` and its lengths times `scale`.
+fn mapped(mut network: Network, scale: f64, place: impl Fn([f64; 3]) -> [f64; 3]) -> Network {
+    let put = |p: &mut [f64; 3]| *p = place(*p);
+    network.nodes.iter_mut().for_each(|n| put(&mut n.position));
+    for strip in &mut network.strips {
+        strip.points.iter_mut().for_each(put);
+        strip.curve.controls.iter_mut().for_each(put);
+        strip.curve.knots.iter_mut().for_each(|t| *t *= scale);
+        strip.deviation *= scale;
+    }
+    network
+}
+
+/// Equality of every bit but the signs of zeros and the payloads of NaNs, of which there are none.
+#[track_caller]
+fn same(a: &Network, b: &Network, what: &str) {
+    let counts = |n: &Network| (n.strips.len(), n.nodes.len());
+    assert_eq!(counts(a), counts(b), "{what}");
+    assert_eq!(a.nodes, b.nodes, "{what}");
+    for (i, (x, y)) in a.strips.iter().zip(&b.strips).enumerate() {
+        assert_eq!(x, y, "{what}: strip {i}");
+    }
+}
+
+fn shuffled(count: usize, seed: u64) -> Vec<u32> {
+    let mut rng = Rng::new(seed);
+    let mut order: Vec<u32> = (0..count as u32).collect();
+    for i in (1..count).rev() {
+        order.swap(i, rng.below(i as u64 + 1) as usize);
+    }
+    order
+}
+
+#[test]
+fn clouds_of_these_tests_have_lines() {
+    for (name, points) in clouds() {
+        assert!(found(&cloud(&points)).network.strips.len() >= 2, "{name}");
+    }
+}
+
+#[test]
+fn order_of_the_points_changes_the_numbering_alone() {
+    for (name, points) in clouds() {
+        let first = found(&cloud(&points));
+        for seed in 1..=20 {
+            let order = shuffled(points.len(), seed);
+            let moved: Vec<[f64; 3]> = order.iter().map(|&i| points[i as usize]).collect();
+            let result = found(&cloud(&moved));
+            let network = renumbered(result.network.clone(), |s| order[s as usize]);
+            same(&first.network, &network, &format!("{name}, order {seed}"));
+            let (a, b) = (first.classes(), result.classes());
+            assert!(order.iter().zip(&b).all(|(&i, &class)| a[i as usize] == class), "{name}, order {seed}");
+        }
+    }
+}
+
+#[test]
+fn number_of_threads_changes_nothing() {
+    for (name, points) in clouds() {
+        let with = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| found(&cloud(&points)))
+        };
+        let one = with(1);
+        for threads in [2, 4, 8] {
+            let other = with(threads);
+            same(&one.network, &other.network, &format!("{name}, {threads} threads"));
+            assert_eq!(
+                (one.classes(), &one.measure.score, &one.source),
+                (other.classes(), &other.measure.score, &other.source),
+                "{name}, {threads} threads"
+            );
+        }
+    }
+}
+
+#[test]
+fn threads_change_nothing_in_a_cloud_of_many_blocks() {
+    let points = random_cube(1, 10_000).cloud;
+    let with = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| found(&points).network)
+    };
+    let one = with(1);
+    for threads in [2, 4, 8] {
+        same(&one, &with(threads), &format!("{threads} threads"));
+    }
+}
+
+#[test]
+fn dyadic_translation_moves_every_coordinate_by_just_that() {
+    let f = f64::from(1 << 20);
+    let offsets = [[1024.0; 3], [0.5, -3.25, 0.0], [-3.25, 0.5, 1024.0], [f, -f, 0.5], [f, f, f]];
+    for (name, points) in clouds() {
+        let first = found(&cloud(&points)).network;
+        for offset in offsets {
+            let add = |p: [f64; 3]| [0, 1, 2].map(|k| p[k] + offset[k]);
+            let back = |p: [f64; 3]| [0, 1, 2].map(|k| p[k] - offset[k]);
+            let moved: Vec<[f64; 3]> = points.iter().map(|&p| add(p)).collect();
+            let network = found(&cloud(&moved)).network;
+            same(&first, &mapped(network, 1.0, back), &format!("{name} moved by {offset:?}"));
+        }
+    }
+}
+
+#[test]
+fn powers_of_two_scale_every_coordinate_by_just_that() {
+    for (name, points) in clouds() {
+        let first = found(&cloud(&points)).network;
+        for exponent in [-100, -7, 1, 3, 100] {
+            let scale = 2.0_f64.powi(exponent);
+            let scaled: Vec<[f64; 3]> = points.iter().map(|p| p.map(|x| x * scale)).collect();
+            let network = found(&cloud(&scaled)).network;
+            let expected = mapped(first.clone(), scale, |p| p.map(|x| x * scale));
+            same(&expected, &network, &format!("{name} times 2^{exponent}"));
+        }
+    }
+}
+
+/// A network as the truth for another one.
+fn as_truth(network: &Network) -> Truth {
+    let nodes = network.nodes.iter();
+    let nodes = nodes.map(|n| TruthNode { position: n.position, kind: n.kind, degree: n.degree });
+    let curves = network.strips.iter().map(|s| TruthCurve {
+        kind: s.kind,
+        closed: s.closed,
+        start: s.start,
+        end: s.end,
+        points: s.points.clone(),
+        fold_deg: vec![90.0; s.points.len()],
+        fold: Fold::Convex,
+    });
+    Truth { nodes: nodes.collect(), curves: curves.collect(), weak_below_deg: 0.0 }
+}
+
+#[test]
+fn rotation_turns_the_lines() {
+    let (c, s) = (0.8, 0.6);
+    let turn = |[x, y, z]: [f64; 3]| {
+        let [x, y] = [c * x - s * y, s * x + c * y];
+        [x, c * y - s * z, s * y + c * z]
+    };
+    for (name, points) in clouds() {
+        let first = found(&cloud(&points));
+        let turned: Vec<[f64; 3]> = points.iter().map(|&p| turn(p)).collect();
+        let network = found(&cloud(&turned)).network;
+        let truth = as_truth(&mapped(first.network, 1.0, turn));
+        let score = check::against(&network, &truth, first.report.spacing);
+        assert!(score.at_1h.f1 >= 0.98, "{name}: {score:?}");
+    }
+}
+
+#[test]
+fn points_given_twice_are_merged_and_change_nothing() {
+    for (name, points) in clouds() {
+        let first = found(&cloud(&points)).network;
+        let extra = points.len() / 3;
+        let doubled = [&points[..], &points[..extra], &points[..1]].concat();
+        let result = found(&cloud(&doubled));
+        assert_eq!((result.report.merged, result.report.points), (extra + 1, points.len()), "{name}");
+        same(&first, &result.network, name);
+    }
+}
+
+#[test]
+fn rows_that_are_not_finite_are_dropped_and_change_nothing() {
+    let bad = [[f64::NAN; 3], [0.0, f64::INFINITY, 1.0], [1.0, 2.0, f64::NEG_INFINITY]];
+    for (name, points) in clouds() {
+        let first = found(&cloud(&points));
+        let mut mixed = Vec::new();
+        let mut number = Vec::new();
+        for (i, &p) in points.iter().enumerate() {
+            if i % 100 == 0 {
+                mixed.push(bad[i / 100 % 3]);
+                number.push(u32::MAX);
+            }
+            mixed.push(p);
+            number.push(i as u32);
+        }
+        let result = found(&cloud(&mixed));
+        assert_eq!(result.report.dropped, mixed.len() - points.len(), "{name}");
+        same(&first.network, &renumbered(result.network.clone(), |s| number[s as usize]), name);
+        let kept = result.classes().into_iter().zip(&number).filter(|&(_, &n)| n != u32::MAX);
+        assert_eq!(kept.map(|(class, _)| class).collect::<Vec<_>>(), first.classes(), "{name}");
+    }
+}

@@ -1,0 +1,157 @@
+//! Tables of numbers, in the many ways they are written.
+
+use crate::common::from_bytes;
+use lineament::Column;
+use lineament_io::{Format, ReadOptions};
+
+const POINTS: [[f64; 3]; 2] = [[1.5, -2.25, 3.0], [4.0, 5.5, 1e-3]];
+
+fn positions(text: &str) -> Vec<[f64; 3]> {
+    let scan = from_bytes(text.as_bytes(), "table.xyz", &ReadOptions::default());
+    let scan = scan.unwrap_or_else(|error| panic!("{error} for {text:?}"));
+    assert_eq!(scan.format, Format::Table);
+    scan.cloud.positions
+}
+
+fn refusal(text: &str) -> String {
+    let error = from_bytes(text.as_bytes(), "table.xyz", &ReadOptions::default());
+    error.map(|scan| panic!("{text:?} gave {scan:?}")).unwrap_err().to_string()
+}
+
+#[test]
+fn the_same_points_come_from_every_way_of_writing_them() {
+    for text in [
+        "1.5 -2.25 3\n4 5.5 1e-3\n",
+        "1.5 -2.25 3\n4 5.5 1e-3",
+        "  1.5   -2.25\t3 \r\n4 5.5 1e-3\r\n\r\n",
+        "1.5 -2.25 3\r4 5.5 1e-3\r",
+        "\u{feff}1.5,-2.25,3\n4,5.5,1e-3\n",
+        "1.5, -2.25, 3\n4, 5.5, 1e-3\n",
+        "1.5;-2.25;3;\n4;5.5;1e-3;\n",
+        "1.5\t-2.25\t3\n4\t5.5\t1e-3\n",
+        "# a comment\n// another\n1.5 -2.25 3\n# between\n4 5.5 1e-3\n",
+        "2\n1.5 -2.25 3\n4 5.5 1e-3\n",
+        "1\n1.5 -2.25 3\n1\n4 5.5 1e-3\n",
+        "x,y,z\n1.5,-2.25,3\n4,5.5,1e-3\n",
+        "\"X [m]\",\"Y [m]\",\"Z [m]\"\n\"1.5\",\"-2.25\",\"3\"\n\"4\",\"5.5\",\"1e-3\"\n",
+        "//X Y Z\n1.5 -2.25 3\n4 5.5 1e-3\n",
+        "Scan of the north wall\nx y z\n1.5 -2.25 3\n4 5.5 1e-3\n",
+        "1,5 -2,25 3,0\n4,0 5,5 0,001\n",
+        "1,5;-2,25;3\n4;5,5;1e-3\n",
+        "1,5\t-2,25\t3\n4\t5,5\t1e-3\n",
+        "\"1,5\",\"-2,25\",\"3,0\"\n\"4,0\",\"5,5\",\"0,001\"\n",
+    ] {
+        if text.starts_with("\"1,5") {
+            // Quoted decimal commas between commas: refused, not misread.
+            refusal(text);
+        } else {
+            assert_eq!(positions(text), POINTS, "{text:?}");
+        }
+    }
+}
+
+#[test]
+fn named_columns_are_found_in_any_order_and_others_are_kept() {
+    let text = "id;Z;name;Easting;Northing;nx\n7;3;wall;1;2;0.5\n8;6;\"floor; old\";4;5;NA\n";
+    let scan = from_bytes(text.as_bytes(), "named.csv", &ReadOptions::default()).unwrap();
+    assert_eq!(scan.cloud.positions, [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
+    let names: Vec<_> = scan.cloud.attributes.iter().map(|a| a.name.as_str()).collect();
+    assert_eq!(names, ["id", "nx"]);
+    assert_eq!(scan.cloud.attributes[0].values, Column::U8(vec![7, 8]));
+    assert!(matches!(&scan.cloud.attributes[1].values, Column::F64(v) if v[0] == 0.5 && v[1].is_nan()));
+    assert_eq!(scan.ignored, ["column `name`: text"]);
+}
+
+#[test]
+fn whole_columns_take_the_smallest_integer_type() {
+    let text = "0 0 0 255 -1 65535 70000 3000000000 0.5\n0 0 1 0 200 1 -5 0 1\n";
+    let scan = from_bytes(text.as_bytes(), "whole.txt", &ReadOptions::default()).unwrap();
+    let kinds: Vec<_> = scan.cloud.attributes.iter().map(|a| &a.values).collect();
+    assert_eq!(kinds[0], &Column::U8(vec![255, 0]));
+    assert_eq!(kinds[1], &Column::I16(vec![-1, 200]));
+    assert_eq!(kinds[2], &Column::U16(vec![65535, 1]));
+    assert_eq!(kinds[3], &Column::I32(vec![70000, -5]));
+    assert_eq!(kinds[4], &Column::U32(vec![3_000_000_000, 0]));
+    assert_eq!(kinds[5], &Column::F64(vec![0.5, 1.0]));
+}
+
+#[test]
+fn commas_that_could_mean_two_things_are_refused() {
+    assert!(refusal("1,5,2,5,3,5\n4,5,6,5,7,5\n").contains("decimal signs"));
+    assert!(refusal("1,5, 2,5, 3,5\n").contains("decimal signs"));
+    assert!(refusal("1,234.5 2,345.5 3,456.5\n").contains("`234.5 2`"));
+    assert!(refusal("1.5;2,5;3.5\n").contains("neither"));
+    assert!(refusal("1 2.5 3\n4 5 6,5\n").contains("neither"));
+}
+
+#[test]
+fn a_row_that_does_not_fit_is_refused_with_its_line() {
+    let mut many = "1 2 3\n".repeat(300);
+    let error = refusal(&(many.clone() + "1 2,5 3\n"));
+    assert!(error.contains("line 301: column 2 is `2,5`"), "{error}");
+    let error = refusal(&(many.clone() + "1 2 3 4\n"));
+    assert!(error.contains("line 301: 4 columns where the first rows have 3"), "{error}");
+    many += "1 2";
+    let error = refusal(&many);
+    assert!(error.contains("line 301: 2 columns"), "{error}");
+    let salvage = ReadOptions { salvage: true, ..ReadOptions::default() };
+    let scan = from_bytes(many.as_bytes(), "cut.xyz", &salvage).unwrap();
+    assert_eq!((scan.cloud.len(), scan.missing.unwrap().read), (300, 300));
+}
+
+#[test]
+fn a_count_line_must_agree_with_the_rows() {
+    assert!(refusal("3\n1 2 3\n4 5 6\n").contains("2 of 3 rows"));
+    assert!(refusal("1\n1 2 3\n4 5 6\n").contains("2 rows where the count line announces 1"));
+    assert!(refusal("3\n1 2 3\n4 5 6\n1\n7 8 9\n").contains("a new count line after 2 rows"));
+    assert!(refusal("18446744073709551615\n1 2 3\n").contains("1 of 18446744073709551615 rows"));
+}
+
+#[test]
+fn a_last_field_may_be_missing_behind_its_separator() {
+    let text = "I,Z,Y,X\n7,3,2,1\n8,6,5,\n9,6,5,4\n";
+    let scan = from_bytes(text.as_bytes(), "open.csv", &ReadOptions::default()).unwrap();
+    assert_eq!(scan.cloud.positions[0], [1.0, 2.0, 3.0]);
+    assert!(scan.cloud.positions[1][0].is_nan());
+    let text = "z;y;x;note\n3;2;1;\n6;5;4;\n";
+    let scan = from_bytes(text.as_bytes(), "open.csv", &ReadOptions::default()).unwrap();
+    assert_eq!(scan.cloud.positions, [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
+    let text = "3 names\n1.5,2,3,\n1.5,5,6,4\n";
+    assert_eq!(from_bytes(text.as_bytes(), "open.csv", &ReadOptions::default()).unwrap().cloud.len(), 2);
+}
+
+#[test]
+fn two_quotes_within_quotes_are_one_and_close_nothing() {
+    let text = "part,x,y,z\n\"the \"\"big\"\", old\",1,2,3\n\"\",4,5,6\n";
+    let scan = from_bytes(text.as_bytes(), "quoted.csv", &ReadOptions::default()).unwrap();
+    assert_eq!(scan.cloud.positions, [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
+}
+
+#[test]
+fn names_that_do_not_fit_the_columns_are_refused() {
+    let error = refusal("id x y z\n1 1.5 2.5 3.5 4.5\n2 1.5 2.5 3.5 4.5\n");
+    assert!(error.contains("5 columns under the 4 names id, x, y, z"), "{error}");
+    assert_eq!(positions("X [m] Y [m] Z [m]\n1.5 -2.25 3\n4 5.5 1e-3\n"), POINTS);
+}
+
+#[test]
+fn columns_without_names_for_the_coordinates_are_refused() {
+    let error = refusal("a,b,c\n1,2,3\n");
+    assert!(error.contains("a, b, c") && error.contains("none is `x`"), "{error}");
+}
+
+#[test]
+fn text_that_is_no_table_is_refused() {
+    assert!(refusal("Dear reader,\nthere is nothing here.\n").contains("no row of three numbers"));
+    assert!(refusal("1 2\n3 4\n").contains("rows of 2 columns"));
+    assert!(refusal("1 2\n3 4 5\n").contains("line 1"));
+    assert!(refusal("\0\0\0\0").contains("format not recognised"));
+    assert!(refusal("").contains("empty"));
+}
+
+#[test]
+fn missing_and_non_finite_coordinates_are_kept_as_such() {
+    let points = positions("x,y,z\n1,nan,3\n,inf,6\n7,8,9\n");
+    assert!(points[0][1].is_nan() && points[1][0].is_nan() && points[1][1].is_infinite());
+    assert_eq!(points[2], [7.0, 8.0, 9.0]);
+}
