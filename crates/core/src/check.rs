@@ -12,7 +12,6 @@ use crate::network::Network;
 pub use isomorphism::isomorphic;
 pub use patches::patches;
 pub use score::{Distances, Hits, Score, against};
-pub(crate) use strips::trace;
 
 /// States every invariant of a [`Network`].
 ///

@@ -1,19 +1,18 @@
 //! From a pattern to a network: strips between nodes, each with its curve.
 
 mod nodes;
-mod strips;
 mod tidy;
 mod verify;
+mod world;
 
-pub use strips::{Path, paths};
-pub use tidy::settle;
 pub use verify::take_back;
+pub use world::to_world;
 
 use crate::curve::{FitOptions, fit};
 use crate::math::vec3::{distance, distance2};
 use crate::network::{Network, Node, NodeKind, Strip, StripKind};
 use crate::params::SplineParams;
-use crate::pattern::{LineGraph, Pattern};
+use crate::pattern::{LineGraph, Path, Pattern, paths};
 use crate::resolution::Resolution;
 
 /// Creases up to this many spacings long that hang on a node with nothing at their other end are left out.

@@ -1,6 +1,6 @@
 //! How densely and how noisily the surface was sampled: two numbers that every tolerance follows from.
 
-use crate::detect::tensor::ellipsoid;
+use crate::math::tensor::ellipsoid;
 use crate::math::vec3::distance;
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use rayon::prelude::*;

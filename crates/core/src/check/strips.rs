@@ -1,10 +1,7 @@
 //! Invariants of a network's strips.
 
 use super::finite;
-use crate::network::{Network, Strip};
-
-/// The points in one direction from one start, as bits, so that they order and compare.
-type Trace = Vec<[u64; 3]>;
+use crate::network::{Network, Strip, Trace, trace};
 
 pub(super) fn faults(network: &Network, strip: &Strip) -> Vec<String> {
     [point_faults(strip), end_faults(network, strip), number_faults(strip)].concat()
@@ -63,19 +60,4 @@ pub(super) fn twins(network: &Network) -> Vec<String> {
     traces.sort();
     let same = traces.windows(2).filter(|w| (w[0].0, &w[0].1) == (w[1].0, &w[1].1));
     same.map(|w| format!("strips {} and {}: the same points", w[0].2, w[1].2)).collect()
-}
-
-/// The least of the traces that say the same line.
-pub(crate) fn trace(strip: &Strip) -> Trace {
-    let mut forwards: Trace = strip.points.iter().map(|p| p.map(|x| (x + 0.0).to_bits())).collect();
-    if strip.closed {
-        let least = (0..forwards.len()).min_by_key(|&i| forwards[i]).unwrap_or(0);
-        forwards.rotate_left(least);
-    }
-    let mut backwards = forwards.clone();
-    backwards.reverse();
-    if strip.closed {
-        backwards.rotate_right(1.min(forwards.len()));
-    }
-    forwards.min(backwards)
 }

@@ -6,8 +6,8 @@
 //! few, that of all, and the planes that the neighbours chose. Where two of them are nearly even, as between the sides of a
 //! sheet, the next ring of neighbours decides.
 
-use super::tensor::{add_product, ellipsoid};
 use crate::math::eigen3::eigen3;
+use crate::math::tensor::{add_product, ellipsoid};
 use crate::math::vec3::{dot, sub};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::resolution::Resolution;

@@ -3,12 +3,12 @@
 use super::baselines::{Detector, marks};
 use super::marks::Marks;
 use super::projection::warning;
-use crate::extract::refuse_degenerate;
-use crate::frame::{Frame, Localised};
+use crate::cloud::Cloud;
+use crate::error::Error;
 use crate::measure::Class;
-use crate::neighbors::{all_nearest, riemannian::graph};
-use crate::resolution::Resolution;
-use crate::{Cloud, Error, Params, Report};
+use crate::params::Params;
+use crate::prepare::prepare;
+use crate::report::{Clock, Report};
 
 /// What detectors say of the points of a cloud.
 #[derive(Clone, Debug)]
@@ -27,32 +27,19 @@ pub struct Marked {
 /// As [`extract`](crate::extract()).
 pub fn mark(world: &Cloud, params: &Params, detectors: &[Detector]) -> Result<Marked, Error> {
     params.check()?;
-    let local = Frame::localise(world)?;
-    let (canonical, merged) = (local.canonical(), local.merged());
-    let Localised { frame, positions, dropped, .. } = local;
-    refuse_degenerate(world.len(), &positions)?;
-    let nearest = all_nearest(&positions, params.neighbors.k);
-    let estimate = Resolution::estimate(&positions, &nearest, &graph(&positions, &nearest));
-    let noise = params.penalty.noise_spacings.or(|| estimate.noise / estimate.spacing) * estimate.spacing;
-    let resolution = Resolution { noise, ..estimate };
-    let found = detectors.iter().map(|&d| (d, marks(&positions, resolution, &params.projection, d)));
+    let cloud = prepare(world, params, &mut Clock::new(&|_| ()))?;
+    let found = detectors.iter().map(|&d| {
+        let scored = marks(&cloud.positions, cloud.resolution, &params.projection, d);
+        (d, scored)
+    });
     let marks: Vec<(Detector, Marks)> = found.collect();
+    let warned = detectors.contains(&Detector::Projection).then(|| warning(cloud.resolution)).flatten();
     let report = Report {
-        read: world.len(),
-        dropped,
-        merged,
-        points: positions.len(),
-        spacing: frame.length_to_world(resolution.spacing),
-        noise: frame.length_to_world(resolution.noise),
         settings: marks.iter().map(|(d, m)| setting(*d, m)).collect(),
-        notes: if detectors.contains(&Detector::Projection) {
-            Vec::from_iter(warning(resolution))
-        } else {
-            Vec::new()
-        },
-        ..Report::default()
+        notes: warned.into_iter().collect(),
+        ..cloud.report()
     };
-    Ok(Marked { report, canonical, marks })
+    Ok(Marked { report, canonical: cloud.canonical, marks })
 }
 
 fn setting(detector: Detector, marks: &Marks) -> (String, String) {

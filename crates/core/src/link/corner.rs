@@ -4,13 +4,12 @@
 //! a spline would round it. Around each vertex two straight lines are set against one smooth curve, both fitted to the
 //! vertices on either side; the nearest are left out, as what drew the line together has rounded them. Not in Gumhold 2001.
 
-use crate::detect::tensor::add_product;
 use crate::math::eigen3::eigen3;
 use crate::math::skyline::Skyline;
+use crate::math::tensor::add_product;
 use crate::math::vec3::{add, add_scaled, distance, dot, norm, scale, sub, unit};
 use crate::network::StripKind;
-use crate::pattern::LineGraph;
-use crate::recover::{Path, paths};
+use crate::pattern::{LineGraph, Path, paths};
 use crate::resolution::Resolution;
 
 /// Vertices nearer to a corner than this, spacings, say nothing of its sides.

@@ -8,8 +8,7 @@
 use super::Reach;
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::distance;
-use crate::pattern::LineGraph;
-use crate::recover::{Path, paths};
+use crate::pattern::{LineGraph, Path, paths};
 use crate::resolution::Resolution;
 
 /// Share of the evidence of a sharp fold that a strip must show.

@@ -5,8 +5,9 @@
 //! Voronoi cell. Where four projections lie on one circle the triangulation is free to choose; here a bisector that only
 //! touches the cell in a corner gives no neighbour, so a grid has rings of four whichever way it is turned.
 
-use super::Neighbors;
-use crate::detect::tensor::plane_normal;
+use super::leaf::BLOCK;
+use super::rows::Neighbors;
+use crate::math::tensor::plane_normal;
 use crate::math::vec3::{cross, dot, perpendicular, sub};
 use rayon::prelude::*;
 
@@ -34,11 +35,11 @@ type Block = (Vec<u32>, Vec<u32>, Vec<[f32; 3]>);
 /// For each point its one-ring among `nearest`, in ascending order of index, and `(N, 3)` the unit normal, without
 /// orientation, of the least-squares plane through the ring and the point.
 pub fn one_rings(points: &[[f64; 3]], nearest: &Neighbors) -> (Neighbors, Vec<[f32; 3]>) {
-    let blocks = points.len().div_ceil(super::BLOCK);
+    let blocks = points.len().div_ceil(BLOCK);
     let rings: Vec<Block> = (0..blocks)
         .into_par_iter()
         .map_init(Cell::default, |cell, b| {
-            let range = b * super::BLOCK..points.len().min((b + 1) * super::BLOCK);
+            let range = b * BLOCK..points.len().min((b + 1) * BLOCK);
             let (mut counts, mut indices, mut normals) = (Vec::new(), Vec::new(), Vec::new());
             for i in range {
                 let before = indices.len();

@@ -6,17 +6,30 @@
 //! way, but distances are a small part of the time (insertion into the lists is the greatest), and nothing has to
 //! be searched twice because of rounding.
 
-use super::index::{Aabb, Index, Leaf, Node, WIDTH};
+use super::found::Found;
+use super::index::Index;
 use super::kernel::{Kernel, Portable};
+use super::leaf::{Aabb, BLOCK, Leaf, Node, WIDTH};
 use super::lists::{Lists, NONE, tied};
 #[cfg(target_arch = "x86_64")]
 use super::simd::{Avx2, Avx512};
-use super::{BLOCK, Found, Instructions};
 
 /// A search starts with what the one before, next to it, would have needed: this many times its greatest squared
 /// distance. That halves the candidates that enter a list only to leave it again; the few queries that find too
 /// little within start anew.
 const GUESS: f64 = 1.3;
+
+/// Which vector instructions a search may use. The results have the same bits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Instructions {
+    /// The widest that this machine has.
+    #[default]
+    Detected,
+    /// At most 256-bit vectors (AVX2), where the machine has them.
+    Narrow,
+    /// Those that the program was compiled for.
+    Baseline,
+}
 
 /// Finds the `k` nearest neighbours of every point of an index.
 pub(super) struct Engine<'a> {

@@ -1,7 +1,7 @@
 //! The two inner loops of the search, in plain Rust that compilers vectorise.
 #![allow(clippy::needless_range_loop)] // counted loops over several arrays: the form that is vectorised
 
-use super::index::{Aabb, Leaf, Node, WIDTH};
+use super::leaf::{Aabb, Leaf, Node, WIDTH};
 use super::lists::{Lists, key};
 
 /// The inner loops of the search of one leaf. All implementations give identical bits.

@@ -4,7 +4,7 @@
 //! distance, cut to 21 bits of mantissa, and then by index; what the cut leaves undecided is settled in full
 //! precision when the search is over.
 
-use super::index::WIDTH;
+use super::leaf::WIDTH;
 
 /// The key of no candidate: beyond every finite distance, but itself a finite f64.
 pub(super) const NONE: u64 = f64::MAX.to_bits();

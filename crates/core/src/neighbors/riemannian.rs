@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::Neighbors;
+use super::rows::Neighbors;
 use crate::math::vec3;
 
 /// Parts of the cloud that are worked on at once: a fixed number, few enough for edges to be kept apart by pair.

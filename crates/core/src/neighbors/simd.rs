@@ -6,8 +6,8 @@
 
 use std::arch::x86_64::*;
 
-use super::index::{Aabb, Leaf, Node, WIDTH};
 use super::kernel::{self, Kernel};
+use super::leaf::{Aabb, Leaf, Node, WIDTH};
 use super::lists::Lists;
 
 /// Loops with 512-bit vectors.

@@ -3,8 +3,7 @@
 //! Each point goes into one word: its cell along the axis in question, then its place in the block. Words are quick to
 //! select among; and cells as fine as 2^-22 of the block make leaves as compact as exact coordinates would.
 
-use super::BLOCK;
-use super::index::{Aabb, Leaf, WIDTH};
+use super::leaf::{Aabb, BLOCK, Leaf, WIDTH};
 
 /// Bits of a place in a block.
 const PLACE_BITS: u32 = BLOCK.ilog2();

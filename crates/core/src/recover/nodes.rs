@@ -5,12 +5,11 @@
 
 use std::collections::BTreeMap;
 
-use super::strips::Path;
 use crate::frame::on_grid;
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::{add_scaled, distance, scale};
 use crate::neighbors::Index;
-use crate::pattern::LineGraph;
+use crate::pattern::{LineGraph, Path};
 use crate::resolution::Resolution;
 
 /// Strips between two junctions or corners up to this many spacings long are taken for one.

@@ -2,9 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::check::trace;
 use crate::math::vec3::distance;
-use crate::network::{Network, NodeKind, Strip, StripKind};
+use crate::network::{Network, NodeKind, Strip, StripKind, trace};
 
 /// Makes nodes at one place one node, keeps the first of strips with the same points, leaves out the stubs that remain,
 /// creases up to `stub` long, and counts what meets in each node.

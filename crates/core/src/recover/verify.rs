@@ -5,11 +5,10 @@
 //! with one patch on both sides, is no boundary. It goes where what it hangs on stays closed without it. Where
 //! no patches are looked for (`patches.find=false`) nothing is taken back.
 
-use super::paths;
 use crate::math::vec3::distance;
 use crate::network::{Network, Strip, StripKind};
 use crate::patch::Patches;
-use crate::pattern::LineGraph;
+use crate::pattern::{LineGraph, paths};
 use crate::resolution::Resolution;
 use std::collections::BTreeSet;
 

@@ -4,9 +4,10 @@ use rayon::prelude::*;
 
 use super::camera::Camera;
 use super::hidden::is_visible;
+use super::scene::{Scene, Settings};
+use super::style::LINE_BIAS;
 use super::surface::Surface;
 use super::surfel::{Projected, Surfel};
-use super::{Scene, Settings};
 
 /// Side of the small trial pictures in pixels.
 const TRIAL: usize = 160;
@@ -96,7 +97,7 @@ fn shown(
         .collect();
     let surface = Surface::draw(&projected, TRIAL, TRIAL);
     let covered = surface.surfel.iter().filter(|&&id| id != u32::MAX).count();
-    let bias = (super::compose::LINE_BIAS * f64::from(growth) * scene.spacing * camera.scale) as f32 + 1.0;
+    let bias = (LINE_BIAS * f64::from(growth) * scene.spacing * camera.scale) as f32 + 1.0;
     let visible = lines.iter().filter(|&&p| is_visible(camera.project(p), &surface, bias)).count();
     [covered as f64 / (camera.scale * camera.scale), visible as f64]
 }

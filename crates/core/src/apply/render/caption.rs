@@ -1,8 +1,8 @@
 //! The line of text under a picture: what the colours mean, and how many there are.
 
-use super::Scene;
-use super::compose::{node_colour, strip_colour};
 use super::picture::{Colour, Picture};
+use super::scene::Scene;
+use super::style::{node_colour, strip_colour};
 use crate::network::{Network, NodeKind, StripKind};
 
 const TEXT: Colour = [0.25, 0.27, 0.30];

@@ -4,37 +4,20 @@ use rayon::prelude::*;
 
 use super::camera::{Camera, View};
 use super::hidden::{is_visible, runs};
-use super::picture::{Colour, Picture, WHITE};
+use super::picture::{Picture, WHITE};
+use super::scene::{Scene, Settings};
 use super::stroke::Mask;
+use super::style::{LINE_BIAS, node_colour, strip_colour};
 use super::surface::Surface;
 use super::surfel::Projected;
-use super::{Scene, Settings, best, caption, tone};
+use super::{best, caption, tone};
 use crate::error::Error;
 use crate::network::{Network, NodeKind, StripKind};
 
 /// The surface is drawn with this many pixels for one of the picture, each way, and averaged: smooth outlines.
 const FINE: usize = 2;
-/// Spacings that a line may lie behind the surface and still be seen.
-pub(super) const LINE_BIAS: f64 = 2.5;
+/// Opacity of lines behind the surface.
 const HIDDEN_OPACITY: f32 = 0.45;
-
-/// The colour of a kind of line; told apart by the colour-blind too.
-pub(super) fn strip_colour(kind: StripKind) -> Colour {
-    match kind {
-        StripKind::Crease => [0.80, 0.20, 0.02],
-        StripKind::Border => [0.00, 0.36, 0.72],
-    }
-}
-
-/// The colour of a kind of node.
-pub(super) fn node_colour(kind: NodeKind) -> Colour {
-    match kind {
-        NodeKind::Junction => [0.08, 0.08, 0.10],
-        NodeKind::Corner => [0.00, 0.56, 0.42],
-        NodeKind::End => [0.82, 0.32, 0.62],
-        NodeKind::Apex => [0.90, 0.62, 0.00],
-    }
-}
 
 /// Draws a scene. The picture depends on the scene and the settings only, not on the number of threads.
 ///
@@ -78,6 +61,11 @@ fn projected_line(points: &[[f64; 3]], closed: bool, camera: &Camera) -> Vec<[f3
     points.iter().chain(closing).map(|&p| camera.project(p)).collect()
 }
 
+/// How far behind the surface a line still counts as seen, pixels of the fine grid.
+fn bias(spacing: f32) -> f32 {
+    LINE_BIAS as f32 * spacing + 2.0
+}
+
 fn draw_strips(
     network: &Network,
     camera: &Camera,
@@ -89,7 +77,7 @@ fn draw_strips(
     let mask = || Mask::new(picture.width, picture.height);
     let mut halo = mask();
     let mut layers = [StripKind::Border, StripKind::Crease].map(|kind| (kind, mask(), mask()));
-    let bias = LINE_BIAS as f32 * spacing + 2.0;
+    let bias = bias(spacing);
     for strip in &network.strips {
         let line = projected_line(&strip.points, strip.closed, camera);
         for run in runs(&line, surface, bias) {
@@ -120,7 +108,7 @@ fn draw_nodes(
     pen: f32,
     picture: &mut Picture,
 ) {
-    let bias = LINE_BIAS as f32 * spacing + 2.0;
+    let bias = bias(spacing);
     for seen in [false, true] {
         for kind in [NodeKind::Junction, NodeKind::Corner, NodeKind::End, NodeKind::Apex] {
             let size = if kind == NodeKind::End { 0.75 * pen } else { pen };

@@ -5,7 +5,7 @@
 //! ellipsoid (equation 7) shows none.
 
 use crate::detect::open_angle::{chance_opening, open_angle};
-use crate::detect::tensor::ellipsoid;
+use crate::math::tensor::ellipsoid;
 use crate::math::vec3::{add_scaled, cross, dot, norm, sub};
 use crate::measure::Row;
 use crate::resolution::Resolution;

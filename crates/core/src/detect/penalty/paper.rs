@@ -5,7 +5,7 @@
 
 use super::{Derived, density};
 use crate::detect::open_angle::open_angle;
-use crate::detect::tensor::{Ellipsoid, ellipsoid};
+use crate::math::tensor::{Ellipsoid, ellipsoid};
 use crate::math::vec3::{dot, scale};
 use crate::measure::{Direction, Measure, Penalties, Row};
 use crate::neighbors::{Neighbors, riemannian::Scratch};

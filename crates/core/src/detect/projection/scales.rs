@@ -3,8 +3,8 @@
 //! A scale `k` is the point and its `k` nearest neighbours. The lists come sorted by distance, so that a scale's sums are
 //! those of the scale before and of four more points: all seven cost what the greatest costs, and no list is stored.
 
-use crate::detect::tensor::add_product;
 use crate::math::least_axis::least_axis;
+use crate::math::tensor::add_product;
 use crate::math::vec3::{dot, norm, sub};
 use crate::neighbors::nearest_blocks;
 
@@ -66,7 +66,7 @@ fn scales(points: &[[f64; 3]], own: usize, nearest: &[u32]) -> [AtScale; 7] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::detect::tensor::ellipsoid;
+    use crate::math::tensor::ellipsoid;
     use crate::neighbors::all_nearest;
     use crate::{Frame, shapes};
 

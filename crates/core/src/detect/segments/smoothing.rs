@@ -6,7 +6,7 @@
 //! and the segmentation is made again; up to three times.
 
 use super::Segmentation;
-use crate::detect::tensor::ellipsoid;
+use crate::math::tensor::ellipsoid;
 use crate::math::vec3::{add_scaled, dot, sub};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use rayon::prelude::*;

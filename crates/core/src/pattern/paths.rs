@@ -1,7 +1,7 @@
 //! Crease strips: the maximal paths of a pattern between its nodes, and its closed loops
 //! (Gumhold 2001, section 4.1).
 
-use crate::pattern::LineGraph;
+use super::line_graph::LineGraph;
 
 /// A strip as a path through the pattern.
 #[derive(Clone, Debug, PartialEq, Eq)]

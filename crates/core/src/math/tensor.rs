@@ -1,8 +1,8 @@
 //! Centre and correlation tensor of a neighbourhood (Gumhold 2001, section 3.1, equations 2 and 3).
 
-use crate::math::eigen3::{Eigen3, Symmetric3, eigen3};
-use crate::math::least_axis::least_axis;
-use crate::math::vec3::sub;
+use super::eigen3::{Eigen3, Symmetric3, eigen3};
+use super::least_axis::least_axis;
+use super::vec3::sub;
 
 /// Centre and correlation ellipsoid of a set of points.
 #[derive(Clone, Copy, Debug)]

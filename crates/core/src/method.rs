@@ -1,0 +1,96 @@
+//! The choice of method: which detector and which linker run, and what is said of them. The one place that names methods.
+
+mod segments;
+
+pub use segments::ClusterStages;
+
+use crate::detect::{penalty, projection};
+use crate::link::{self, Reach};
+use crate::measure::Measure;
+use crate::network::Network;
+use crate::params::{Method, Params, SegmentForm};
+use crate::patch::{self, Ground, Patches};
+use crate::pattern::Pattern;
+use crate::prepare::Prepared;
+use crate::recover::{recover, take_back};
+
+/// What the method's detector says of every point.
+pub(crate) fn detect(cloud: &Prepared, params: &Params) -> Measure {
+    let Prepared { positions, graph, resolution, .. } = cloud;
+    match params.method {
+        Method::Penalty => penalty::penalty(positions, graph, *resolution, &params.penalty),
+        // Segmentation belongs to linking: its robust form looks at the penalties first.
+        Method::Segments => penalty::penalty(positions, graph, *resolution, &params.penalty),
+        Method::Projection => projection::candidates::measure(positions, graph, *resolution, params),
+    }
+}
+
+/// Links by the method; the method `segments` also says what it went through.
+pub(crate) fn link(
+    cloud: &Prepared,
+    measure: &mut Measure,
+    params: &Params,
+) -> (Pattern, Option<ClusterStages>) {
+    match params.method {
+        Method::Penalty | Method::Projection => {
+            let reach = reach(cloud, params);
+            (link::link(&cloud.graph, measure, cloud.resolution, &params.spanning, reach), None)
+        }
+        Method::Segments => {
+            let (pattern, stages) = segments::link(cloud, measure, &params.segments, reach(cloud, params));
+            (pattern, Some(stages))
+        }
+    }
+}
+
+/// Whether patches are looked for: where asked for, and by the method whose lines bound them.
+pub(crate) fn wants_patches(params: &Params) -> bool {
+    params.patches.find.or(|| params.method == Method::Segments)
+}
+
+/// The patches between the strips; the robust form of `segments` takes strips back that no two patches bear out.
+pub(crate) fn patches(
+    cloud: &Prepared,
+    measure: &Measure,
+    pattern: &mut Pattern,
+    network: &mut Network,
+    params: &Params,
+) -> Patches {
+    let Prepared { positions, graph, resolution, .. } = cloud;
+    let ground = Ground { points: positions, graph, normals: &measure.normal, resolution: *resolution };
+    let first = patch::patches(&ground, network);
+    let verified = params.method == Method::Segments && params.segments.form == SegmentForm::Robust;
+    let fold_deg = params.penalty.fold_deg;
+    if !verified || !take_back(&mut pattern.crease, network, &first, *resolution, fold_deg) {
+        return first;
+    }
+    *network = recover(pattern, *resolution, &params.spline);
+    patch::patches(&ground, network)
+}
+
+/// The values chosen for parameters left to the data.
+pub(crate) fn settings(cloud: &Prepared, params: &Params) -> Vec<(String, String)> {
+    let derived = penalty::derive(&params.penalty, cloud.resolution);
+    let Reach { rho, in_edges, .. } = reach(cloud, params);
+    let unit = if in_edges { "edges" } else { "spacings" };
+    vec![
+        ("penalty.hops".into(), derived.hops.to_string()),
+        ("penalty.alpha".into(), format!("{:.3}", derived.alpha)),
+        ("spanning.rho".into(), format!("{rho:.1} {unit}")),
+    ]
+}
+
+/// What the user should know of the result.
+pub(crate) fn notes(cloud: &Prepared, clusters: Option<&ClusterStages>, params: &Params) -> Vec<String> {
+    let hops = penalty::derive(&params.penalty, cloud.resolution).hops;
+    let noisy = |c: &ClusterStages| c.segmented.note(&params.segments, cloud.resolution, hops);
+    match params.method {
+        Method::Projection => projection::warning(cloud.resolution).into_iter().collect(),
+        Method::Segments => clusters.and_then(noisy).into_iter().collect(),
+        Method::Penalty => Vec::new(),
+    }
+}
+
+fn reach(cloud: &Prepared, params: &Params) -> Reach {
+    link::reach(&params.spanning, params.penalty.form, cloud.positions.len())
+}

@@ -1,0 +1,61 @@
+//! One line of a network.
+
+use crate::curve::BSpline;
+use crate::math::vec3::distance;
+
+/// One feature line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Strip {
+    /// Crease or border.
+    pub kind: StripKind,
+    /// Whether the line is a loop without nodes. The first point is then not repeated at the end.
+    pub closed: bool,
+    /// Node at the first point; `None` exactly when closed.
+    pub start: Option<u32>,
+    /// Node at the last point; `None` exactly when closed.
+    pub end: Option<u32>,
+    /// `(M, 3)` f64 points on the curve, in order; the first and the last lie on the nodes.
+    pub points: Vec<[f64; 3]>,
+    /// The fitted curve that `points` were taken from.
+    pub curve: BSpline,
+    /// Points of the cloud that the pattern ran through, in order, as indices into the input.
+    pub sources: Vec<u32>,
+    /// Root mean square distance of the source points from the curve, in the unit of the input.
+    pub deviation: f64,
+    /// Mean angle between the faces along a crease, degrees; `None` for borders and where the detector does not measure it.
+    pub fold_deg: Option<f64>,
+    /// Mean evidence that the line is sharp rather than round, in variances of the noise; zero where not measured.
+    pub evidence: f64,
+    /// How certain the line is, from 0 (chance) to 1: one minus the mean penalty share along it.
+    pub confidence: f64,
+}
+
+/// Whether faces meet at a strip or the surface ends there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum StripKind {
+    /// Two faces meet.
+    Crease,
+    /// The surface ends.
+    Border,
+}
+
+impl StripKind {
+    /// The name in files: `crease` or `border`.
+    pub fn name(self) -> &'static str {
+        match self {
+            StripKind::Crease => "crease",
+            StripKind::Border => "border",
+        }
+    }
+}
+
+impl Strip {
+    /// Length of the polyline, the closing segment of a loop included.
+    pub fn length(&self) -> f64 {
+        let open: f64 = self.points.windows(2).map(|w| distance(w[0], w[1])).sum();
+        match (self.closed, self.points.first(), self.points.last()) {
+            (true, Some(&first), Some(&last)) => open + distance(last, first),
+            _ => open,
+        }
+    }
+}

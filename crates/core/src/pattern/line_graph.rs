@@ -1,0 +1,102 @@
+//! The graph of one kind of line: vertices with what is known of each, and the edges between them.
+
+use crate::math::vec3::{add_scaled, sub};
+
+/// A graph on some of the points of the cloud.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LineGraph {
+    /// `(V)` the point of the cloud that each vertex is or lies nearest to.
+    pub points: Vec<u32>,
+    /// `(V, 3)` where the vertex lies, which need not be where its point lies.
+    pub positions: Vec<[f64; 3]>,
+    /// `(V)` penalty of each vertex, 0 to 1.
+    pub penalty: Vec<f32>,
+    /// `(V)` how little a direction is preferred at the vertex: 0 at a corner, 1 on a line.
+    pub corner: Vec<f32>,
+    /// `(V)` evidence that the line is sharp, in variances of the noise, of all points that the vertex stands for; see
+    /// [`Penalties`](crate::measure::Penalties).
+    pub evidence: Vec<f32>,
+    /// `(V)` the evidence that a sharp fold of the measured angle would give.
+    pub expected: Vec<f32>,
+    /// `(V)` angle between the faces, radians; zero where unknown.
+    pub fold: Vec<f32>,
+    /// `(V)` neighbours of each vertex in the graph, ascending.
+    pub edges: Vec<Vec<u32>>,
+    /// Vertices that are nodes though only two lines meet in them: corners, and what the other pattern meets there.
+    pub nodes: Vec<u32>,
+}
+
+impl LineGraph {
+    /// The number of edges.
+    pub fn edge_count(&self) -> usize {
+        self.edges.iter().map(Vec::len).sum::<usize>() / 2
+    }
+
+    /// Joins `a` and `b`.
+    pub fn add_edge(&mut self, a: u32, b: u32) {
+        for (v, w) in [(a, b), (b, a)] {
+            let list = &mut self.edges[v as usize];
+            if let Err(at) = list.binary_search(&w) {
+                list.insert(at, w);
+            }
+        }
+    }
+
+    /// A new vertex of `point` at `position` of which nothing else is known.
+    pub fn push_vertex(&mut self, point: u32, position: [f64; 3]) -> u32 {
+        self.points.push(point);
+        self.positions.push(position);
+        self.penalty.push(1.0);
+        self.corner.push(1.0);
+        self.evidence.push(0.0);
+        self.expected.push(0.0);
+        self.fold.push(0.0);
+        self.edges.push(Vec::new());
+        (self.edges.len() - 1) as u32
+    }
+
+    /// A new vertex at `position`, otherwise like `model` but without evidence of its own.
+    pub fn add_vertex(&mut self, model: u32, position: [f64; 3]) -> u32 {
+        let m = model as usize;
+        self.points.push(self.points[m]);
+        self.positions.push(position);
+        self.penalty.push(self.penalty[m]);
+        self.corner.push(self.corner[m]);
+        self.evidence.push(0.0);
+        self.expected.push(0.0);
+        self.fold.push(0.0);
+        self.edges.push(Vec::new());
+        (self.edges.len() - 1) as u32
+    }
+
+    /// `(V)` whether strips end at the vertex: where one, three or more lines meet, and at the `nodes`.
+    pub fn is_node(&self) -> Vec<bool> {
+        let mut is_node: Vec<bool> = self.edges.iter().map(|e| !matches!(e.len(), 0 | 2)).collect();
+        self.nodes
+            .iter()
+            .filter(|&&v| self.edges[v as usize].len() == 2)
+            .for_each(|&v| is_node[v as usize] = true);
+        is_node
+    }
+
+    /// Puts vertices on the edge between `a` and `b`, so that it becomes `pieces` edges of one length.
+    pub fn subdivide(&mut self, a: u32, b: u32, pieces: u32) {
+        let [from, to] = [a, b].map(|v| self.positions[v as usize]);
+        self.remove_edge(a, b);
+        let mut before = a;
+        for piece in 1..pieces {
+            let share = f64::from(piece) / f64::from(pieces);
+            let model = if share < 0.5 { a } else { b };
+            let next = self.add_vertex(model, add_scaled(from, sub(to, from), share));
+            self.add_edge(before, next);
+            before = next;
+        }
+        self.add_edge(before, b);
+    }
+
+    /// Takes the edge between `a` and `b` away.
+    pub fn remove_edge(&mut self, a: u32, b: u32) {
+        self.edges[a as usize].retain(|&x| x != b);
+        self.edges[b as usize].retain(|&x| x != a);
+    }
+}

@@ -1,0 +1,29 @@
+//! A network from the local frame to that of the input.
+
+use super::tidy::settle;
+use crate::frame::{Frame, on_grid};
+use crate::network::Network;
+
+/// Positions into the world frame, sources into the order of the input; which strips stay, as far coordinates can be too
+/// coarse for a short line.
+pub fn to_world(mut network: Network, frame: &Frame, source: &[u32]) -> (Network, Vec<bool>) {
+    let unit = frame.length_to_world(1.0);
+    let placed = |p: [f64; 3]| frame.to_world(p.map(on_grid));
+    for node in &mut network.nodes {
+        node.position = placed(node.position);
+        node.source = source[node.source as usize];
+    }
+    for strip in &mut network.strips {
+        for p in &mut strip.points {
+            *p = placed(*p);
+        }
+        strip.points.dedup();
+        strip.curve = strip.curve.mapped(placed, unit);
+        strip.deviation *= unit;
+        for s in &mut strip.sources {
+            *s = source[*s as usize];
+        }
+    }
+    let stay = settle(&mut network);
+    (network, stay)
+}

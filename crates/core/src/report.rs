@@ -1,0 +1,89 @@
+//! What the pipeline tells of itself: stages as they begin and end, and a report at the end.
+
+use std::time::Instant;
+
+/// What happened, for a summary.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Report {
+    /// Points given.
+    pub read: usize,
+    /// Points left out because a coordinate was not finite.
+    pub dropped: usize,
+    /// Points merged into an exact duplicate.
+    pub merged: usize,
+    /// Points kept.
+    pub points: usize,
+    /// Mean distance to the six nearest neighbours, corrected for noise; unit of the input.
+    pub spacing: f64,
+    /// Standard deviation of the noise along the surface normal; unit of the input.
+    pub noise: f64,
+    /// Seconds that each stage took.
+    pub stages: Vec<(Stage, f64)>,
+    /// The values chosen for parameters left to the data.
+    pub settings: Vec<(String, String)>,
+    /// What the user should know of this result.
+    pub notes: Vec<String>,
+}
+
+/// A stage of the pipeline.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Canonical order and local frame.
+    Localise,
+    /// Nearest neighbours and the neighbour graph.
+    Neighbors,
+    /// What every point says of lines.
+    Detect,
+    /// Patterns.
+    Link,
+    /// Strips, nodes and curves.
+    Recover,
+    /// Patches and their loops.
+    Patches,
+}
+
+impl Stage {
+    /// The name in progress lines and summaries.
+    pub fn name(self) -> &'static str {
+        match self {
+            Stage::Localise => "localise",
+            Stage::Neighbors => "neighbors",
+            Stage::Detect => "detect",
+            Stage::Link => "link",
+            Stage::Recover => "recover",
+            Stage::Patches => "patches",
+        }
+    }
+}
+
+/// A stage that begins (`done` = 0) or ends (`done` = 1).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// Which stage.
+    pub stage: Stage,
+    /// Share done, 0 to 1.
+    pub done: f64,
+}
+
+/// Tells when stages begin and end, and takes their time.
+pub(crate) struct Clock<'a> {
+    observe: &'a (dyn Fn(Progress) + Sync),
+    /// Seconds that each stage took.
+    pub(crate) stages: Vec<(Stage, f64)>,
+}
+
+impl<'a> Clock<'a> {
+    pub(crate) fn new(observe: &'a (dyn Fn(Progress) + Sync)) -> Self {
+        Self { observe, stages: Vec::new() }
+    }
+
+    /// Does the work of a stage.
+    pub(crate) fn run<T>(&mut self, stage: Stage, work: impl FnOnce() -> T) -> T {
+        (self.observe)(Progress { stage, done: 0.0 });
+        let start = Instant::now();
+        let result = work();
+        self.stages.push((stage, start.elapsed().as_secs_f64()));
+        (self.observe)(Progress { stage, done: 1.0 });
+        result
+    }
+}
