@@ -6,57 +6,28 @@
 //! thin band ([`SectionParams::carry`]); and contours are told apart and ordered by linking tangents, before any
 //! outline, so that several, nested and open ones need no special case.
 
-mod adaptive;
-mod ascending;
-mod assign;
-mod axis;
-mod band;
-mod bridge;
-mod carry;
-mod chain;
-mod corner;
-mod curve;
-mod greedy;
-mod hull;
-mod join;
-mod link;
-mod lsq;
-mod nest;
-mod node;
+mod contour;
+mod curves;
+mod frame;
 mod outline;
-mod packed;
 mod params;
-mod plane;
-mod polyline;
-mod primitive;
 mod result;
-mod ruler;
-mod slice;
-mod slicer;
-mod smooth;
-mod spline;
-mod spread;
+mod slicing;
 mod stack;
-mod stray;
 mod surface;
-mod tidy;
-mod tile;
-mod tree;
-mod vec2;
-mod voronoi;
 
 use crate::cloud::Cloud;
 use crate::error::Error;
 use crate::frame::{Frame, Localised};
 use crate::neighbors::Index;
 
+pub use frame::SliceFrame;
 pub use params::{Axis, Outline, Planes, SectionParams, Side};
 pub use result::{Contour, CurvePiece, CurveShape, Missing, Section, Sections};
-pub use slice::SliceFrame;
 pub use stack::{Feature, Mirror, Repeat, Run, Stack, stack};
 
-use slicer::{FEWEST, Slicer};
-use tile::Tiles;
+use slicing::slicer::Slicer;
+use surface::tiles::Tiles;
 
 /// Slices a cloud: one [`Section`] for each plane, in the order the planes were given or run along the axis.
 ///

@@ -1,17 +1,27 @@
 //! From the samples of one slab to the outlines of its contours. A contour that is closed at once is drawn once; where
 //! ends are left, smooth ends are joined, and drawn again.
 
-use super::assign::assign;
-use super::band::{Band, Growth};
-use super::bridge::Support;
-use super::carry::Sample;
-use super::chain::Chain;
-use super::packed::Packed;
-use super::params::{Outline, SectionParams, Side};
-use super::surface::Texture;
-use super::tree::Tree;
-use super::vec2::{along, cross, left, sub, unit};
-use super::{hull, join, link, lsq, node, smooth, tidy, voronoi};
+pub(crate) mod corner;
+pub(crate) mod hull;
+pub(crate) mod knots;
+pub(crate) mod middle;
+pub(crate) mod regions;
+pub(crate) mod regression;
+pub(crate) mod side;
+pub(crate) mod voronoi;
+
+use crate::math::trees::packed::Packed;
+use crate::math::vec2::distance;
+use crate::section::contour::assign::assign;
+use crate::section::contour::band::{Band, Growth};
+use crate::section::contour::bridge::Support;
+use crate::section::contour::chain::Chain;
+use crate::section::contour::tidy::tidy;
+use crate::section::contour::{join, link, node};
+use crate::section::params::{Outline, SectionParams, Side};
+use crate::section::surface::carry::Sample;
+use crate::section::surface::texture::Texture;
+use side::shifted;
 
 /// One contour of a slab.
 pub(crate) struct Drawn {
@@ -28,10 +38,10 @@ pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Tex
     let support = Support { samples, tree: &tree };
     let nodes = node::nodes(samples, &tree);
     let chains = link::chains(&nodes);
-    let chains = join::joined(chains, &[], &support).into_iter().map(tidy::tidy).collect();
+    let chains = join::joined(chains, &[], &support).into_iter().map(tidy).collect();
     let mut free = vec![true; samples.len()];
     let mut bands = assign(samples, &nodes.owners, &free, chains);
-    let middle = |b: &Band| tidy::tidy(smooth::middle(b, texture.noise));
+    let middle = |b: &Band| tidy(middle::middle(b, texture.noise));
     let mut lines: Vec<Chain> = bands.iter().map(middle).collect();
     if !lines.iter().all(|c| c.closed) {
         again(&support, &nodes.owners, &mut free, &mut bands, &mut lines, middle);
@@ -82,7 +92,7 @@ fn outline(band: &Band, params: &SectionParams) -> Chain {
         Outline::Hull => Some(hull::features(band, threshold)),
         Outline::Voronoi => Some(voronoi::features(band, threshold, params.circle_bound)),
     };
-    let chain = features.map_or_else(|| band.chain.clone(), |f| lsq::polyline(band, &f));
+    let chain = features.map_or_else(|| band.chain.clone(), |f| knots::polyline(band, &f));
     match params.side {
         Side::Middle => chain,
         Side::Outside => shifted(band, chain, 1.0),
@@ -95,40 +105,8 @@ fn outline(band: &Band, params: &SectionParams) -> Chain {
 fn threshold(band: &Band) -> f64 {
     let (mut sum, mut spacing) = (0.0, 0.0);
     for mark in &band.marks {
-        sum += super::vec2::distance(band.at(mark.arc), mark.raw);
+        sum += distance(band.at(mark.arc), mark.raw);
         spacing += mark.spacing;
     }
     (2.0 * sum + 0.05 * spacing) / band.marks.len().max(1) as f64
-}
-
-/// Share of the samples that the outside and the inside of a band leave beyond them.
-const BEYOND: f64 = 0.1;
-
-/// Moves each vertex of a closed outline to the side of the band that looks away from (1) or towards (-1) the
-/// enclosed area; an open one has no such sides and stays.
-fn shifted(band: &Band, chain: Chain, side: f64) -> Chain {
-    if !chain.closed || band.marks.is_empty() {
-        return chain;
-    }
-    let points: Vec<[f64; 2]> = chain.points();
-    let area = super::nest::measure(&points, true).area;
-    // Right of a counter-clockwise contour is outside.
-    let sign = if area >= 0.0 { -side } else { side };
-    let n = points.len();
-    let raw: Vec<[f64; 2]> = band.marks.iter().map(|m| m.raw).collect();
-    let (tree, mut found) = (Tree::new(&raw), Vec::new());
-    let mut vertices = chain.vertices;
-    for (k, vertex) in vertices.iter_mut().enumerate() {
-        let direction = unit(sub(points[(k + 1) % n], points[(k + n - 1) % n]));
-        let outward = left(direction).map(|x| x * sign);
-        tree.within(points[k], 1.5 * vertex.spacing, &mut found);
-        let off = |&m: &u32| cross(direction, sub(band.marks[m as usize].raw, points[k])) * sign;
-        let mut offs: Vec<f64> = found.iter().map(off).collect();
-        if offs.len() >= 3 {
-            let at = ((offs.len() - 1) as f64 * (1.0 - BEYOND)) as usize;
-            let shift = *offs.select_nth_unstable_by(at, f64::total_cmp).1;
-            vertex.at = along(vertex.at, outward, shift.max(0.0));
-        }
-    }
-    Chain { vertices, closed: true }
 }

@@ -104,7 +104,7 @@ impl Default for SectionParams {
 }
 
 /// Most planes in one run: a guard against a step mistaken for another unit.
-const MOST_PLANES: usize = 1_000_000;
+pub(crate) const MOST_PLANES: usize = 1_000_000;
 
 impl SectionParams {
     /// Refuses values outside their ranges.
@@ -157,35 +157,10 @@ impl SectionParams {
     }
 }
 
-/// A slicing plane: its position along the axis and the slab it stands for, adjacent slabs sharing their bounds.
-pub(crate) type Cut = (f64, Option<[f64; 2]>);
-
-/// The planes that equal steps give over an extent, or a refusal where they are too many.
-pub(crate) fn cuts(planes: &Planes, low: f64, high: f64) -> Result<Vec<Cut>, Error> {
-    let slab = |from: f64, to: f64| (0.5 * (from + to), Some([from, to]));
-    let parts = |n: usize| {
-        let edge = |k: usize| low + (high - low) * k as f64 / n as f64;
-        (0..n).map(|k| slab(edge(k), edge(k + 1))).collect()
-    };
-    match planes {
-        Planes::At(at) => Ok(at.iter().map(|&z| (z, None)).collect()),
-        Planes::Count(n) | Planes::Adaptive { start: n, .. } => Ok(parts(*n)),
-        Planes::Every(step) => {
-            let many = ((high - low) / step).floor();
-            if many >= MOST_PLANES as f64 {
-                return refuse("section.every", *step, "a step that gives at most 1000000 slices");
-            }
-            let first = 0.5 * (low + high) - 0.5 * (many + 1.0) * step;
-            let edge = |k: usize| first + k as f64 * step;
-            Ok((0..=many as usize).map(|k| slab(edge(k), edge(k + 1))).collect())
-        }
-    }
-}
-
 fn within(key: &str, value: f64, low: f64, high: f64) -> Result<(), Error> {
     if (low..=high).contains(&value) { Ok(()) } else { refuse(key, value, &format!("from {low} to {high}")) }
 }
 
-fn refuse<T>(key: &str, value: impl ToString, expected: &str) -> Result<T, Error> {
+pub(crate) fn refuse<T>(key: &str, value: impl ToString, expected: &str) -> Result<T, Error> {
     Err(Error::Parameter { key: key.into(), value: value.to_string(), expected: expected.into() })
 }

@@ -1,10 +1,12 @@
 //! What a section holds.
 
-use super::curve::{self, Piece, Shape};
-use super::nest;
+use super::curves::{self, Piece, Shape, nest};
+use super::frame::SliceFrame;
 use super::outline::Drawn;
-use super::slice::SliceFrame;
-use crate::curve::BSpline;
+use crate::curve::{BSpline, polygon};
+
+/// Fewest points of a slab that a curve is sought in.
+pub(crate) const FEWEST: usize = 4;
 
 /// All sections of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -167,14 +169,14 @@ pub(crate) fn contours(drawn: Vec<Drawn>, tolerance: Option<f64>) -> Vec<Contour
 fn contour(drawn: Drawn, parent: Option<usize>, depth: usize, tolerance: Option<f64>) -> Contour {
     let Drawn { mut chain, growth } = drawn;
     let wanted = if depth.is_multiple_of(2) { 1.0 } else { -1.0 };
-    let extent = nest::measure(&chain.points(), chain.closed);
+    let extent = polygon::measure(&chain.points(), chain.closed);
     let (turn, mut area) = (extent.area, extent.area);
     if turn * wanted < 0.0 {
         chain.vertices.reverse();
         area = -area;
     }
     let flat = chain.points();
-    let pieces = tolerance.map_or(Vec::new(), |t| curve::fit(&chain.vertices, chain.closed, t));
+    let pieces = tolerance.map_or(Vec::new(), |t| curves::fit(&chain.vertices, chain.closed, t));
     let corners = chain.vertices.iter().enumerate().filter(|(_, v)| v.corner).map(|(k, _)| k).collect();
     Contour {
         points: flat.iter().map(|&p| lift(p)).collect(),

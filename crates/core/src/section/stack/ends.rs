@@ -2,53 +2,33 @@
 //! where it meets the next run, at the apex of a taper, or else where the points of its wall end. All of these lie between
 //! two slices, and are found in the points there.
 
+mod apex;
 mod border;
 mod crest;
+mod end;
 mod face;
 mod fold;
-mod near;
+mod ground;
+mod meet;
 mod parts;
 mod rim;
+mod search;
 mod size;
 mod split;
 
 use rayon::prelude::*;
 
-use super::super::result::Sections;
-use super::super::tile::Tiles;
+use super::kinds::outlines::{CLEAR, upright_deg};
+use super::result::Feature;
 use super::runs::Found;
-use super::{Feature, kinds};
 use crate::frame::Localised;
 use crate::neighbors::Index;
-use near::{Ground, Search, Spot};
+use crate::section::result::Sections;
+use crate::section::surface::tiles::Tiles;
+use end::{By, End};
+use ground::{Ground, Spot, ahead_of_start};
+use search::{Search, searches};
 use size::Size;
-
-/// Where a run ends, with how far off that may be.
-#[derive(Clone, Copy, Debug)]
-struct End {
-    height: f64,
-    error: f64,
-    by: By,
-}
-
-/// What shows an end.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum By {
-    Face,
-    Fold,
-    /// A fold along a curve that is level there.
-    Rim,
-    Meeting,
-    Apex,
-    Border,
-}
-
-impl By {
-    /// Whether the surface shows an edge there.
-    fn is_edge(self) -> bool {
-        matches!(self, By::Face | By::Fold | By::Rim | By::Meeting)
-    }
-}
 
 /// Sets `from`, `to`, `range_error` of every run, and what a taper has at its ends, from the points between its slices
 /// and those just outside. The runs of a track come one after another. A taper that ends at no edge is none, nor is an
@@ -63,7 +43,7 @@ pub(super) fn refine(
 ) {
     let sizes: Vec<Size> = runs.par_iter().map(|r| Size::new(r, sections.spacing, tolerance)).collect();
     let searches: Vec<Search> =
-        runs.iter().zip(&sizes).flat_map(|(r, size)| near::searches(r, size, sections)).collect();
+        runs.iter().zip(&sizes).flat_map(|(r, size)| searches(r, size, sections)).collect();
     let near = Ground::new(local, index, tiles, sections).near(&searches);
     let found = searches.par_iter().zip(&near).enumerate();
     let mut ends: Vec<Option<End>> =
@@ -126,12 +106,12 @@ fn holds(k: usize, runs: &[Found], ends: &[Option<End>], rims: &[bool], sections
 
 /// Whether the walls of a run stand along the axis, but for one contour in four, clear of where it ends.
 fn stands(found: &Found, sections: &Sections) -> bool {
-    let (run, clear) = (&found.run, kinds::CLEAR * sections.spacing);
+    let (run, clear) = (&found.run, CLEAR * sections.spacing);
     let own = found.profiles.iter().filter(|p| (p.height - run.from).min(run.to - p.height) >= clear);
     let (mut count, mut upright) = (0, 0);
     for profile in own {
         count += 1;
-        upright += usize::from(profile.steepest_deg <= kinds::upright_deg(sections.noise));
+        upright += usize::from(profile.steepest_deg <= upright_deg(sections.noise));
     }
     4 * upright >= 3 * count
 }
@@ -148,7 +128,7 @@ fn continue_radius(below: &Feature, above: &mut Feature) {
 /// One end of a run, by what its points show first, going away from its slice.
 fn end(search: &Search, spots: &[Spot], size: &Size, sections: &Sections) -> Option<End> {
     let (h, noise) = (sections.spacing, sections.noise);
-    let near = search.ahead_of_start(spots);
+    let near = ahead_of_start(search, spots);
     let face = face::face(search, near, h, noise);
     let fold = if search.partly_upright() { fold::fold(search, spots, h, noise) } else { None };
     // Beside a face planes lean as well: a fold so near to one is its edge.
@@ -160,7 +140,7 @@ fn end(search: &Search, spots: &[Spot], size: &Size, sections: &Sections) -> Opt
         (Some(a), Some(b)) => Some(nearer(a, b)),
         (a, b) => a.or(b),
     };
-    let apex = || near::apex(search, near, size, h);
+    let apex = || apex::apex(search, near, size, h);
     first.or_else(apex).or_else(|| border::border(search, near, h, noise))
 }
 

@@ -3,11 +3,11 @@
 
 use rayon::prelude::*;
 
-use super::super::result::Sections;
-use super::super::vec2::{along, distance, dot, left, sub};
-use super::Mirror;
 use super::profile::Profile;
+use super::result::Mirror;
+use crate::math::vec2::{along, distance, dot, left, sub};
 use crate::math::vec3;
+use crate::section::result::Sections;
 
 /// Angles looked at first, over half a turn.
 const ANGLES: usize = 180;

@@ -1,8 +1,8 @@
 //! What becomes of an outline on its way to another one, point by point: each part of a wall that leans evenly moves evenly
 //! with height.
 
-use super::super::vec2::{along, cross, distance, dot, sub, unit};
 use super::profile::Profile;
+use crate::math::vec2::{along, cross, distance, dot, sub, unit};
 
 /// Cosine of the angle within which walls face alike.
 const ALIKE: f64 = 0.7;
@@ -63,8 +63,8 @@ pub(super) fn bent(pairs: &[Pair]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::polyline::Polyline;
     use super::*;
+    use crate::curve::polyline::Polyline;
 
     /// A rectangle with its lower left corner at the origin, points about a twentieth apart.
     fn rectangle(height: f64, x: f64, y: f64) -> Profile {

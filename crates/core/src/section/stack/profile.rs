@@ -2,11 +2,11 @@
 
 use rayon::prelude::*;
 
-use super::super::nest;
-use super::super::polyline::Polyline;
-use super::super::primitive::Round;
-use super::super::result::Sections;
-use super::super::vec2::{along, sub};
+use crate::curve::circle::Circle;
+use crate::curve::polygon;
+use crate::curve::polyline::Polyline;
+use crate::math::vec2::{along, sub};
+use crate::section::result::Sections;
 
 /// Most points of a contour that comparisons look at, about evenly along it.
 const POINTS: usize = 512;
@@ -31,7 +31,7 @@ pub(super) struct Profile {
     /// Centroid of the area.
     pub centroid: [f64; 2],
     /// The circle it is, if it is one.
-    pub round: Option<Round>,
+    pub round: Option<Circle>,
     /// Median angle between the wall and the axis, degrees.
     pub draft_deg: f64,
     /// The angle that nine tenths of the wall stay under.
@@ -73,7 +73,7 @@ fn profile(sections: &Sections, plane: usize, index: usize, tolerance: f64) -> P
         [x, y]
     };
     let points: Vec<[f64; 2]> = contour.points.iter().map(flat).collect();
-    let extent = nest::measure(&points, true);
+    let extent = polygon::measure(&points, true);
     Profile {
         id: (plane, index),
         height: sections.heights[plane],
@@ -89,8 +89,8 @@ fn profile(sections: &Sections, plane: usize, index: usize, tolerance: f64) -> P
     }
 }
 
-fn round(points: &[[f64; 2]], tolerance: f64) -> Option<Round> {
-    let round = Round::fit(points)?;
+fn round(points: &[[f64; 2]], tolerance: f64) -> Option<Circle> {
+    let round = Circle::fit(points)?;
     let offs: Vec<f64> = points.iter().map(|&p| round.off(p)).collect();
     let mean = offs.iter().sum::<f64>() / offs.len() as f64;
     let off = apart(offs.iter().chain(offs.iter().take(STRETCH)).copied());

@@ -1,7 +1,7 @@
 //! Runs that show the same outline at several places.
 
+use super::result::{Feature, Repeat, Run};
 use super::runs::Found;
-use super::{Feature, Repeat, Run};
 
 /// Groups of runs with the same outline, laid over each other by their centroids.
 pub(super) fn repeats(runs: &[Found], tolerance: f64) -> Vec<Repeat> {

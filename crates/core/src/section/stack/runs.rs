@@ -1,10 +1,11 @@
 //! Tracks cut into runs.
 
-use super::super::result::Sections;
-use super::Run;
-use super::kinds::{Kinds, Reached};
+use super::kinds;
+use super::kinds::outlines::{Outlines, Reached};
 use super::profile::Profile;
+use super::result::Run;
 use super::track::Track;
+use crate::section::result::Sections;
 
 /// A run with its contours, ascending.
 pub(super) struct Found<'a> {
@@ -36,14 +37,14 @@ const BETWEEN: usize = 2;
 /// The runs of a track, ascending.
 pub(super) fn runs<'a>(track: &Track<'a>, sections: &Sections, tolerance: f64) -> Vec<Found<'a>> {
     let all = &track.profiles;
-    let kinds = Kinds::new(all, tolerance, sections.spacing, sections.noise);
-    let reached = kinds.runs();
+    let outlines = Outlines::new(all, tolerance, sections.spacing, sections.noise);
+    let reached = kinds::runs(&outlines);
     let meets = |a: &Reached, b: &Reached| b.first - a.last <= BETWEEN + 1;
     let found = |(i, r): (usize, &Reached)| {
         let before = i.checked_sub(1).map(|i| &reached[i]).filter(|b| meets(b, r));
         let after = reached.get(i + 1).filter(|a| meets(r, a));
         // A run ends before the next begins, or before the first contour that clearly shows another outline.
-        let other = |k: &usize| !kinds.nearly(if *k < r.first { r.first } else { r.last }, *k);
+        let other = |k: &usize| !outlines.nearly(if *k < r.first { r.first } else { r.last }, *k);
         let third = |k: usize| (k < all.len()).then_some(k);
         let below = match before {
             Some(b) => Some(b.last),

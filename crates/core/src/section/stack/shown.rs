@@ -3,9 +3,9 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use super::super::polyline::Polyline;
-use super::super::result::{Contour, Sections};
 use super::profile::Profile;
+use crate::curve::polyline::Polyline;
+use crate::section::result::{Contour, Sections};
 
 /// Share of an outline that a slice must show for it to be there.
 const SHOWN: f64 = 0.6;

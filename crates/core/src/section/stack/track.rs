@@ -1,7 +1,7 @@
 //! Contours of neighbouring slices matched into tracks.
 
-use super::super::vec2::distance;
 use super::profile::Profile;
+use crate::math::vec2::distance;
 
 /// A contour followed through neighbouring slices, ascending, with the heights of the slices just outside of it.
 #[derive(Clone, Debug)]

@@ -2,8 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use super::near::{Search, Spot};
-use super::{By, End};
+use super::end::{By, End};
+use super::ground::Spot;
+use super::search::Search;
 
 /// How far from the last point an end is looked for, in spacings, and in standard deviations of the noise.
 const REACH: f64 = 1.0;

@@ -1,9 +1,9 @@
 //! Curved faces where they are level: rings about an axis, and crests, as of a bore that lies along the slices or a dome.
 
-use super::super::super::vec2::{distance, dot, left};
-use super::face::middle;
-use super::near::Spot;
+use super::ground::Spot;
 use crate::math::least_squares::least_squares;
+use crate::math::quantile::middle;
+use crate::math::vec2::{distance, dot, left};
 
 /// How many standard errors a bend must have to be one.
 const CLEAR_BEND: f64 = 6.0;

@@ -3,9 +3,11 @@
 //! crest each.
 
 use super::crest::{Shown, crest, ring};
-use super::near::{Search, Spot};
+use super::end::{By, End};
+use super::ground::Spot;
 use super::parts::parts;
-use super::{By, End};
+use super::search::Search;
+use crate::math::quantile::middle;
 
 /// Fewest points that show a face.
 const FACE: usize = 8;
@@ -100,12 +102,4 @@ fn level(search: &Search, cluster: &[Spot], spots: &[Spot], h: f64, noise: f64) 
         .min_by(|a, b| a.spread.total_cmp(&b.spread))
         .map(|m| Level { height: m.height, spread: m.spread, count: m.count, bent: true })
         .or(Some(flat))
-}
-
-/// The median, and the width of the middle two thirds.
-pub(super) fn middle(values: &[f64]) -> (f64, f64) {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let at = |share: f64| sorted[((sorted.len() - 1) as f64 * share) as usize];
-    (at(0.5), at(0.84) - at(0.16))
 }

@@ -1,45 +1,18 @@
 //! A fold into a slanted wall: the planes beside the outline meet the upright wall at one height. First the planes of
 //! single points tell about where; then one line through the points themselves tells it to a fraction of the spacing.
 
-use super::super::super::vec2::{dot, sub, unit};
-use super::near::{Search, Spot, to_foot};
-use super::{By, End, rim};
-use crate::math::vec3;
+use super::end::{By, End};
+use super::ground::{Spot, ahead_of_start};
+use super::meet::{FEWEST, Fitted, Meet, meet};
+use super::rim;
+use super::search::Search;
 
-/// Least angle of a slanted wall to the axis, degrees: without noise, and what noise (in spacings) adds.
-const SLANTED_DEG: (f64, f64) = (10.0, 40.0);
-/// Fewest points that show a fold, and their share of those on slanted walls.
-pub(super) const FEWEST: usize = 8;
+/// Share of the points on slanted walls that must show a fold.
 const SHARE: f64 = 0.35;
 /// How far from an edge, in spacings, planes show one face: without noise, and what noise (in spacings) adds.
 pub(super) const CLEAR: (f64, f64) = (1.6, 2.0);
-/// Cosine of the angle between axis and normal above which a plane is level: 4 degrees.
-const LEVEL: f64 = 0.9976;
-/// Cosine of the angle by which a slanted plane may fall aside.
-const ACROSS: f64 = 0.7;
-/// How far beside an outline planes tell where they meet it, in spacings.
-const BESIDE: f64 = 6.0;
 /// How far the leans of one wall spread, degrees: without noise, and what noise (in spacings) adds.
 const ALIKE_DEG: (f64, f64) = (4.0, 40.0);
-
-/// A slanted plane beside an outline.
-#[derive(Clone, Copy)]
-pub(super) struct Meet {
-    /// How far ahead the plane meets the outline.
-    pub ahead: f64,
-    /// How far ahead its point lies, and how far beside the outline.
-    pub own: f64,
-    pub off: f64,
-    /// How much the wall rises for what it falls aside.
-    pub rise: f64,
-    pub foot: [f64; 2],
-}
-
-/// A line through heights, or the level place of a curve.
-pub(super) struct Fitted {
-    pub ahead: f64,
-    pub error: f64,
-}
 
 /// The height at which the slanted walls beside an outline meet it.
 pub(super) fn fold(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<End> {
@@ -60,7 +33,7 @@ fn straight_fold(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<
     let forward = (search.outer - search.inner).signum();
     let near = |f: &Fitted| search.holds(search.inner + f.ahead * forward);
     let all = meets(search, spots, h, noise);
-    let ahead = meets(search, search.ahead_of_start(spots), h, noise);
+    let ahead = meets(search, ahead_of_start(search, spots), h, noise);
     straight(&ahead, width, h, noise, Lies::Beyond)
         .filter(near)
         // Where a small part of the outline folds, slices some way beyond still nearly show it.
@@ -83,24 +56,6 @@ fn meets(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Vec<Meet> {
     let mut all: Vec<Meet> = slanted.filter(|m| m.off.hypot(m.own - m.ahead) >= clear).collect();
     all.sort_by(|a, b| a.ahead.total_cmp(&b.ahead));
     all
-}
-
-/// Where the plane at a spot meets the outline, if it is slanted and falls across it.
-pub(super) fn meet(search: &Search, s: &Spot, h: f64, noise: f64) -> Option<Meet> {
-    let least = (SLANTED_DEG.0 + SLANTED_DEG.1 * noise).to_radians().sin();
-    let lean = s.normal[2].abs();
-    if !(least..LEVEL).contains(&lean) || s.off > BESIDE * h || !faces_outline(s) {
-        return None;
-    }
-    let [dx, dy] = to_foot(s);
-    let height = s.centre[2] - vec3::dot([dx, dy, 0.0], s.normal) / s.normal[2];
-    Some(Meet {
-        ahead: search.ahead(height),
-        own: search.ahead(s.height),
-        off: s.off,
-        rise: (1.0 - lean * lean).sqrt() / lean,
-        foot: s.foot,
-    })
 }
 
 /// The height at which most planes meet the outline.
@@ -159,10 +114,4 @@ fn line(all: &[Meet], ahead: f64, width: f64, noise: f64) -> Option<Fitted> {
         }
     }
     found
-}
-
-/// Whether a plane falls towards the outline or away from it, and not along it as the flanks of a bore that opens there.
-fn faces_outline(s: &Spot) -> bool {
-    let (normal, away) = (unit([s.normal[0], s.normal[1]]), unit(sub(s.at, s.foot)));
-    dot(normal, away).abs() >= ACROSS
 }

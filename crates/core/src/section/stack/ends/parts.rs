@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::near::Spot;
+use super::ground::Spot;
 
 /// The spots in groups: a group's squares of edge `step`, by `place`, touch each other. In the order of their first spots.
 pub(super) fn parts(spots: &[Spot], place: impl Fn(&Spot) -> [f64; 2], step: f64) -> Vec<Vec<Spot>> {

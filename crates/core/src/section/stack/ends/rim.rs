@@ -1,11 +1,12 @@
 //! A fold into a slanted wall along a curve that is level at one place, as the rim of a countersink cut from the side: a
 //! parabola along the outline, through the points of the slanted wall, tells that place.
 
-use super::super::super::vec2::{along, distance, dot, sub, unit};
-use super::fold::{FEWEST, Fitted, Meet, meet};
-use super::near::{Search, Spot};
+use super::ground::Spot;
+use super::meet::{FEWEST, Fitted, Meet, meet};
 use super::parts::parts;
+use super::search::Search;
 use crate::math::least_squares::least_squares;
+use crate::math::vec2::{along, distance, dot, sub, unit};
 
 /// How far from their edge, in spacings, points show one wall: without noise, and what noise (in spacings) adds.
 const OWN: (f64, f64) = (0.7, 2.0);

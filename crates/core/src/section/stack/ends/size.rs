@@ -1,11 +1,11 @@
 //! How the area of a run's outline goes with height: not at all for an extrusion; as a square for a taper, since each part
 //! of its outline moves evenly.
 
-use super::super::Feature;
-use super::super::pairs;
-use super::super::profile::Profile;
-use super::super::runs::Found;
 use crate::math::least_squares::least_squares;
+use crate::section::stack::pairs;
+use crate::section::stack::profile::Profile;
+use crate::section::stack::result::Feature;
+use crate::section::stack::runs::Found;
 
 /// How far from the last contour an apex is looked for, in spacings.
 const NEAR: f64 = 12.0;

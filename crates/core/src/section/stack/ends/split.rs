@@ -1,8 +1,8 @@
 //! Runs that end at one event: where a contour parts into two, or two become one, one of the runs may show where.
 
-use super::super::super::nest;
-use super::near::Search;
-use super::{By, End};
+use super::end::{By, End};
+use super::search::Search;
+use crate::curve::polygon;
 
 /// Gives ends that nothing shows the height of what another run shows there: one that begins where it ends, or the other way
 /// round, over or under it. Searches and ends come in pairs, below and above.
@@ -24,6 +24,6 @@ pub(super) fn share(searches: &[Search], ends: &mut [Option<End>]) {
 
 /// Whether the outlines are of one kind, and the middle of one lies within the other.
 fn overlap(a: &Search, b: &Search) -> bool {
-    let within = |a: &Search, b: &Search| nest::contains(a.outline.outline.points(), b.outline.centroid);
+    let within = |a: &Search, b: &Search| polygon::contains(a.outline.outline.points(), b.outline.centroid);
     a.outline.hole == b.outline.hole && (within(a, b) || within(b, a))
 }

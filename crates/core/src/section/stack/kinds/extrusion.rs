@@ -1,6 +1,7 @@
 //! Runs of the same outline.
 
-use super::{ASTRAY, CLEAR, FOLD, Feature, JUMP, Kinds, Reached};
+use super::outlines::{ASTRAY, CLEAR, FOLD, JUMP, Outlines, Reached};
+use crate::section::stack::result::Feature;
 
 /// Share of a run's contours that must be circles for it to be round.
 const ROUND: f64 = 0.6;
@@ -11,9 +12,9 @@ const LONG: f64 = 4.0;
 /// Fewer slices show little of how walls stand.
 const FEW: usize = 5;
 
-impl Kinds<'_> {
+impl Outlines<'_> {
     /// All extrusions of the track, ascending.
-    pub(super) fn extrusions(&self) -> Vec<Reached> {
+    pub(crate) fn extrusions(&self) -> Vec<Reached> {
         let mut found = Vec::new();
         let (mut free, mut reference) = (0, 0);
         while reference < self.all.len() {

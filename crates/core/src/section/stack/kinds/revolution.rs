@@ -1,16 +1,17 @@
 //! Runs of circles about one line along the axis. Where their radii lie on a line they are a cylinder or a cone, which noise
 //! or few slices have hidden.
 
-use super::super::super::vec2::distance;
-use super::{Feature, Kinds, Reached, reach};
+use super::outlines::{Outlines, Reached, reach};
 use crate::math::least_squares::least_squares;
+use crate::math::vec2::distance;
+use crate::section::stack::result::Feature;
 
 /// Fewest slices of a revolution: two always agree, and a third may by chance.
 const LEAST: usize = 4;
 
-impl Kinds<'_> {
+impl Outlines<'_> {
     /// The revolutions among contours `first` to before `end`, ascending.
-    pub(super) fn revolutions(&self, mut first: usize, end: usize) -> Vec<Reached> {
+    pub(crate) fn revolutions(&self, mut first: usize, end: usize) -> Vec<Reached> {
         let mut found = Vec::new();
         while first < end {
             let run = self.revolution(first, end);

@@ -1,9 +1,10 @@
 //! Runs of an outline that moves evenly with height.
 
-use super::super::super::vec2::{cross, sub, unit};
-use super::super::pairs::{Pair, blend, pairs};
-use super::super::profile::Profile;
-use super::{FOLD, Feature, JUMP, Kinds, Reached, reach};
+use super::outlines::{FOLD, JUMP, Outlines, Reached, reach};
+use crate::math::vec2::{cross, sub, unit};
+use crate::section::stack::pairs::{Pair, blend, pairs};
+use crate::section::stack::profile::Profile;
+use crate::section::stack::result::Feature;
 
 /// Fewest slices of a taper that may end as its outline leaves it; fewer must end where the wall folds.
 const LEAST: usize = 4;
@@ -14,9 +15,9 @@ const BEND: f64 = 1.5;
 /// Radius in spacings below which a contour says little.
 const SMALL: f64 = 3.0;
 
-impl Kinds<'_> {
+impl Outlines<'_> {
     /// The tapers among contours `first` to before `end`, ascending.
-    pub(super) fn tapers(&self, mut first: usize, end: usize) -> Vec<Reached> {
+    pub(crate) fn tapers(&self, mut first: usize, end: usize) -> Vec<Reached> {
         let mut found = Vec::new();
         let mut here = self.taper(first, end);
         while first + 1 < end {
@@ -124,7 +125,7 @@ impl Kinds<'_> {
         straight && (0.0..=0.5).contains(&(own / other)) && (0.0..=FOLD * self.spacing).contains(&fold)
     }
 
-    /// Whether walls lean by the angles given, [`Kinds::slopes_between`]: where they lean most, and in the middle too unless
+    /// Whether walls lean by the angles given, [`Outlines::slopes_between`]: where they lean most, and in the middle too unless
     /// only a part of the outline moves.
     fn lean_as(&self, first: usize, last: usize, (middle, most): (f64, f64), all: bool) -> bool {
         let whole = most - middle.abs() <= self.slopes[1];

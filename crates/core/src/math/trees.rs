@@ -1,0 +1,4 @@
+//! Trees over points.
+
+pub(crate) mod kd;
+pub(crate) mod packed;

@@ -1,0 +1,181 @@
+//! Which contour each sample belongs to, and where along it.
+
+use std::ops::Range;
+
+use super::band::{Band, Mark, segments};
+use super::chain::{Chain, NO_NODE};
+use crate::math::counting_sort::dealt;
+use crate::math::trees::packed::Packed;
+use crate::math::vec2::{along, cross, dot, sub};
+use crate::section::surface::carry::Sample;
+
+/// Gives every sample that is `free` to the nearest contour that runs its way; samples near none are left out.
+///
+/// `owners` has for each sample its node; where the contours are chains of nodes, those with a node there are placed beside
+/// it, and only for the others, and those not close to it, all contours are looked along.
+pub(crate) fn assign(samples: &[Sample], owners: &[u32], free: &[bool], chains: Vec<Chain>) -> Vec<Band> {
+    let bands: Vec<Band> = chains.into_iter().map(Band::new).collect();
+    let mut best = vec![Place { off: f64::INFINITY, band: 0, arc: 0.0, growth: 0.0 }; samples.len()];
+    let seats = seats(&bands);
+    let mut rest = Vec::new();
+    for (i, place) in best.iter_mut().enumerate().filter(|(i, _)| free[*i]) {
+        if let Some(&(b, v)) = seats.get(owners[i] as usize).filter(|seat| seat.0 != NO_BAND) {
+            place.beside(&samples[i], b, &bands[b as usize], v as usize);
+        }
+        if place.off > SURE * samples[i].spacing {
+            rest.push(i as u32);
+        }
+    }
+    search(samples, &rest, &bands, &mut best);
+    let marks = marks(samples, &best, &bands);
+    bands.into_iter().zip(marks).map(|(band, marks)| band.marked(marks)).collect()
+}
+
+/// Samples this far from the contour beside their node, in spacings, may lie nearer to another stretch: at the tip of a
+/// narrow wedge a node stands for both sides.
+const SURE: f64 = 0.2;
+
+/// For each node the band it is in and its vertex there.
+fn seats(bands: &[Band]) -> Vec<(u32, u32)> {
+    let mut seats = Vec::new();
+    for (b, band) in (0u32..).zip(bands) {
+        for (v, vertex) in (0u32..).zip(&band.chain.vertices).filter(|(_, vertex)| vertex.node != NO_NODE) {
+            let node = vertex.node as usize;
+            seats.resize(seats.len().max(node + 1), (NO_BAND, 0));
+            seats[node] = (b, v);
+        }
+    }
+    seats
+}
+
+/// The node is in no band.
+const NO_BAND: u32 = u32::MAX;
+
+/// Looks along all contours for some of the samples.
+fn search(samples: &[Sample], wanted: &[u32], bands: &[Band], best: &mut [Place]) {
+    let feet: Vec<[f64; 2]> = wanted.iter().map(|&i| samples[i as usize].foot).collect();
+    if feet.is_empty() {
+        return;
+    }
+    let tree = Packed::new(&feet);
+    for (b, band) in bands.iter().enumerate() {
+        let all = segments(band);
+        for first in (0..all).step_by(STRETCH) {
+            let stretch = first..(first + STRETCH).min(all);
+            // Samples to look for are few and together: most stretches have none.
+            let (centre, radius) = around(band, stretch.clone());
+            if tree.any(centre, radius) {
+                for v in stretch {
+                    near(band, v, &tree, |k| {
+                        let i = wanted[k as usize] as usize;
+                        best[i].meet(&samples[i], b as u32, band, v);
+                    });
+                }
+            }
+        }
+    }
+}
+
+/// Segments that are first looked along together.
+const STRETCH: usize = 16;
+
+/// A ball that holds all that is near some segments of a band.
+fn around(band: &Band, stretch: Range<usize>) -> ([f64; 2], f64) {
+    let from = band.chain.vertices[stretch.start].at;
+    let length: f64 = stretch.clone().map(|v| band.reach(v)).sum();
+    let widest = stretch.map(|v| band.chain.vertices[v].spacing).fold(0.0, f64::max);
+    (from, length + REACH * widest)
+}
+
+/// Visits what lies near a segment of a band: long segments are looked along in balls of a few spacings, not in one large
+/// one.
+fn near(band: &Band, v: usize, tree: &Packed, mut visit: impl FnMut(u32)) {
+    let (from, way, length) = (band.chain.vertices[v].at, band.ways[v], band.reach(v));
+    let spacing = band.chain.vertices[v].spacing;
+    let pieces = (length / (3.0 * spacing)).ceil().clamp(1.0, 1e6) as usize;
+    let mut found = Vec::new();
+    for k in 0..pieces {
+        let middle = along(from, way, length * (k as f64 + 0.5) / pieces as f64);
+        tree.within(middle, 0.5 * length / pieces as f64 + REACH * spacing, &mut found);
+        found.iter().for_each(|&k| visit(k));
+    }
+}
+
+/// How far from a contour samples are looked for, in its own spacings; each then has a say by its own.
+const REACH: f64 = 1.5;
+
+/// Where a sample lies along the nearest contour so far.
+#[derive(Clone, Copy)]
+struct Place {
+    /// Distance from the contour, with a part for how much the two run apart: at the tip of a narrow wedge both sides
+    /// are near.
+    off: f64,
+    band: u32,
+    arc: f64,
+    growth: f64,
+}
+
+/// Distance in spacings that counts like running across each other.
+const ACROSS: f64 = 0.5;
+
+impl Place {
+    /// Takes the nearest of the four segments around a vertex.
+    fn beside(&mut self, sample: &Sample, b: u32, band: &Band, vertex: usize) {
+        let n = segments(band);
+        for step in 0..4 {
+            let v = if band.chain.closed {
+                Some((vertex + 2 * n + step - 2) % n)
+            } else {
+                (vertex + step).checked_sub(2)
+            };
+            if let Some(v) = v.filter(|&v| v < n) {
+                self.meet(sample, b, band, v);
+            }
+        }
+    }
+
+    /// Takes a segment of the band `b` if it is nearer and runs the sample's way.
+    fn meet(&mut self, sample: &Sample, b: u32, band: &Band, v: usize) {
+        let (from, way) = (band.chain.vertices[v].at, band.ways[v]);
+        let apart = sub(sample.foot, from);
+        let ahead = dot(apart, way).min(band.reach(v)).max(0.0);
+        let gap = along(apart, way, -ahead);
+        let off2 = dot(gap, gap);
+        if off2 >= self.off * self.off || off2 > sample.spacing * sample.spacing {
+            return;
+        }
+        let across = ACROSS * sample.spacing * cross(way, sample.tangent);
+        let off = (off2 + across * across).sqrt();
+        if off < self.off && dot(way, sample.tangent).abs() >= 0.6 {
+            *self = Place { off, band: b, arc: band.arcs[v] + ahead, growth: cross(sample.drift, way) };
+        }
+    }
+}
+
+/// The marks of each band, ascending by arc, ties by source.
+fn marks(samples: &[Sample], best: &[Place], bands: &[Band]) -> Vec<Vec<Mark>> {
+    let placed: Vec<u32> = (0..best.len() as u32).filter(|&i| best[i as usize].off.is_finite()).collect();
+    let places = || placed.iter().map(|&i| &best[i as usize]);
+    let mut counts = vec![0u32; bands.len()];
+    places().for_each(|p| counts[p.band as usize] += 1);
+    // As many cells along each band as it has samples: what shares a cell is sorted, the rest is in order by its cell.
+    let firsts = counts.iter().scan(0, |sum, &count| Some(std::mem::replace(sum, *sum + count)));
+    let per_length = |(band, &count): (&Band, &u32)| f64::from(count) / band.length.max(f64::MIN_POSITIVE);
+    let rows: Vec<(u32, f64)> = firsts.zip(bands.iter().zip(&counts).map(per_length)).collect();
+    let cell = |p: &Place| {
+        let (first, per_length) = rows[p.band as usize];
+        first + ((p.arc * per_length) as u32).min(counts[p.band as usize] - 1)
+    };
+    let (mut order, starts) = dealt(&places().map(cell).collect::<Vec<u32>>());
+    for cell in starts.windows(2).map(|w| w[0] as usize..w[1] as usize).filter(|cell| cell.len() > 1) {
+        let arc = |&k: &u32| best[placed[k as usize] as usize].arc;
+        order[cell].sort_unstable_by(|a, b| arc(a).total_cmp(&arc(b)).then(a.cmp(b)));
+    }
+    let mut marks: Vec<Vec<Mark>> = counts.iter().map(|&count| Vec::with_capacity(count as usize)).collect();
+    for source in order.into_iter().map(|k| placed[k as usize]) {
+        let Place { band, arc, growth, .. } = best[source as usize];
+        let Sample { raw, weight, blur, spacing, .. } = samples[source as usize];
+        marks[band as usize].push(Mark { arc, raw, weight, blur, spacing, growth, source });
+    }
+    marks
+}

@@ -1,0 +1,15 @@
+//! The Convex Hull Method: feature points by repeated convex hulls (Kyriazis et al., section 3).
+//!
+//! The first feature points are the convex hull of the contour's points (step 3); a region whose points lie far from its
+//! chord adds the vertices of its own convex hull (step 4). On a thick band these lie on the outside and on the inside by
+//! turns, the paper's switching effect (figure 6).
+
+use super::regions::refine;
+use crate::math::convex_hull::convex_hull;
+use crate::section::contour::band::Band;
+
+/// Feature points as ascending indices into `band.marks`, refined until every region's points lie within
+/// `threshold` of their chord on average. Takes O(n log n) for each of the usually few rounds.
+pub(crate) fn features(band: &Band, threshold: f64) -> Vec<usize> {
+    refine(band, threshold, |region| convex_hull(region, |m| band.marks[m].raw))
+}

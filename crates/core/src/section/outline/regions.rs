@@ -1,0 +1,86 @@
+//! Regions of a contour between neighbouring feature points, split until their points lie near the curve (Kyriazis et al.,
+//! sections 3 and 4, step 4).
+//!
+//! Which region a point belongs to is decided by its neighbours (figure 5): the points come in their order along the band,
+//! and a region is all that lies between two feature points in that order, however near another part of the curve may pass.
+
+use crate::math::convex_hull::convex_hull;
+use crate::math::vec2::onto;
+use crate::section::contour::band::Band;
+
+/// Starts from the hull (closed) or the ends (open) and splits regions by `pick` until they are near their chords.
+/// `pick` is given a region's marks, first and last feature included, and returns some of them.
+pub(crate) fn refine(
+    band: &Band,
+    threshold: f64,
+    mut pick: impl FnMut(&[usize]) -> Vec<usize>,
+) -> Vec<usize> {
+    let n = band.marks.len();
+    if n < 3 {
+        return (0..n).collect();
+    }
+    let all: Vec<usize> = (0..n).collect();
+    let mut found = if band.chain.closed { convex_hull(&all, |m| band.marks[m].raw) } else { vec![0, n - 1] };
+    found.sort_unstable();
+    let seam = if band.chain.closed { found.len() } else { found.len() - 1 };
+    let mut open: Vec<(usize, usize)> = (0..seam).map(|k| (found[k], found[(k + 1) % found.len()])).collect();
+    while let Some((first, last)) = open.pop() {
+        let region = between(first, last, n);
+        if region.len() < 4 || mean_distance(band, &region) <= threshold {
+            continue;
+        }
+        let mut inner = positions(&region, &pick(&region));
+        if inner.is_empty() {
+            inner.push(farthest(band, &region));
+        }
+        found.extend(inner.iter().map(|&k| region[k]));
+        inner.insert(0, 0);
+        inner.push(region.len() - 1);
+        open.extend(inner.windows(2).map(|w| (region[w[0]], region[w[1]])));
+    }
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
+/// The marks from one feature to the next, both included, over the seam if need be.
+fn between(first: usize, last: usize, n: usize) -> Vec<usize> {
+    if first < last { (first..=last).collect() } else { (first..n).chain(0..=last).collect() }
+}
+
+/// Where the picked marks stand in a region, ascending, its two ends left out.
+pub(crate) fn positions(region: &[usize], picked: &[usize]) -> Vec<usize> {
+    let n = region.len();
+    // A region is a run of consecutive marks, cut at most once by the seam.
+    let wrap = region.iter().position(|&m| m == 0).unwrap_or(0);
+    let place = |mark: usize| if mark >= region[0] { mark - region[0] } else { wrap + mark };
+    let mut inner: Vec<usize> = picked.iter().map(|&m| place(m)).filter(|&k| k > 0 && k < n - 1).collect();
+    inner.sort_unstable();
+    inner.dedup();
+    inner
+}
+
+fn mean_distance(band: &Band, region: &[usize]) -> f64 {
+    let (a, b) = chord(band, region);
+    let sum: f64 = region.iter().map(|&m| onto(a, b, band.marks[m].raw).1).sum();
+    sum / region.len() as f64
+}
+
+/// Where in the region the point farthest from its chord stands; never one of the two ends.
+pub(crate) fn farthest(band: &Band, region: &[usize]) -> usize {
+    let (a, b) = chord(band, region);
+    let mut best = (-1.0, 1);
+    for (k, &m) in region.iter().enumerate().take(region.len() - 1).skip(1) {
+        let off = onto(a, b, band.marks[m].raw).1;
+        if off > best.0 {
+            best = (off, k);
+        }
+    }
+    best.1
+}
+
+/// The two feature points a region lies between.
+pub(crate) fn chord(band: &Band, region: &[usize]) -> ([f64; 2], [f64; 2]) {
+    let at = |m: usize| band.marks[m].raw;
+    (at(region[0]), at(region[region.len() - 1]))
+}

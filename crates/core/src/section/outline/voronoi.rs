@@ -1,0 +1,87 @@
+//! Feature points by largest empty circles: Kyriazis et al., section 4.
+//!
+//! In a region whose points lie far from their chord, the Voronoi vertices on the other side of the chord are centres
+//! of circles that touch the points from outside. The farthest of them within a bound gives the next feature points:
+//! those its circle touches. So the envelope is followed and does not switch between the two sides of a thick band.
+//! The bound is a multiple of the greatest distance of the region's points from the chord: a large one gives small
+//! steps and many feature points, a small one large steps and few.
+//!
+//! Departures: where a circle cuts off less than a twentieth of a large region, the point farthest from the chord is
+//! taken as well, which keeps the number of rounds logarithmic; the paper assumes it. Circles that touch nothing but the two
+//! ends of a region are passed over; of more than three points on a circle three are taken. Regions, threshold and the
+//! polyline drawn are those of `hull`.
+
+use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation};
+
+use super::regions::{chord, farthest, positions, refine};
+use crate::math::vec2::{cross, onto, sub, unit};
+use crate::section::contour::band::Band;
+
+/// Regions below this size may be split as unevenly as the circles do.
+const LARGE: usize = 256;
+
+/// Feature points as ascending indices into `band.marks`; `bound` is the multiple named above.
+pub(crate) fn features(band: &Band, threshold: f64, bound: f64) -> Vec<usize> {
+    refine(band, threshold, |region| circle(band, region, bound))
+}
+
+struct Site {
+    position: Point2<f64>,
+    mark: usize,
+}
+
+impl HasPosition for Site {
+    type Scalar = f64;
+
+    fn position(&self) -> Point2<f64> {
+        self.position
+    }
+}
+
+/// The marks that the chosen circle of a region touches; none where the region has no triangle.
+fn circle(band: &Band, region: &[usize], bound: f64) -> Vec<usize> {
+    let (a, b) = chord(band, region);
+    let axis = unit(sub(b, a));
+    let sites = region.iter().map(|&mark| {
+        let [x, y] = sub(band.marks[mark].raw, a);
+        Site { position: Point2::new(settled(x), settled(y)), mark }
+    });
+    let Ok(diagram) = DelaunayTriangulation::<Site>::bulk_load_stable(sites.collect()) else {
+        return Vec::new();
+    };
+    let offs = region.iter().map(|&m| cross(axis, sub(band.marks[m].raw, a)));
+    // The points' own side of the chord; circles are sought on the other.
+    let own = if offs.sum::<f64>() >= 0.0 { 1.0 } else { -1.0 };
+    let deepest = region[farthest(band, region)];
+    let limit = bound * onto(a, b, band.marks[deepest].raw).1;
+    let mut best: Option<(f64, [usize; 3])> = None;
+    for face in diagram.inner_faces() {
+        let centre = face.circumcenter();
+        let off = -own * cross(axis, [centre.x, centre.y]);
+        let touched = face.vertices().map(|v| v.data().mark);
+        let better = best.is_none_or(|(most, marks)| off > most || (off == most && touched < marks));
+        if off > 0.0 && off <= limit && better && splits(touched, region) {
+            best = Some((off, touched));
+        }
+    }
+    let mut picked = best.map_or(Vec::new(), |(_, marks)| marks.to_vec());
+    if best.is_none() || lopsided(&picked, region) {
+        picked.push(deepest);
+    }
+    picked
+}
+
+/// Whether a circle touches more than the two ends of a region.
+fn splits(touched: [usize; 3], region: &[usize]) -> bool {
+    touched.iter().any(|&m| m != region[0] && m != region[region.len() - 1])
+}
+
+fn lopsided(picked: &[usize], region: &[usize]) -> bool {
+    let n = region.len();
+    n > LARGE && !positions(region, picked).iter().any(|k| (n / 20..=n - n / 20).contains(k))
+}
+
+/// Coordinates so small that the triangulation refuses them count as zero.
+fn settled(x: f64) -> f64 {
+    if x.abs() < 1e-100 { 0.0 } else { x }
+}

@@ -1,0 +1,60 @@
+//! The axis that a part is best cut across, from the normals of its faces.
+//!
+//! A face is explained by an axis if it stands along it, lies across it, or is turned about it: what an extrusion, a hole or a
+//! revolution consists of. The axis that explains most of the surface is taken; of those that explain about as much the one
+//! along which the section changes least often, since a face that lies across is a change; of those the one along which the
+//! cloud extends furthest. So a bent sheet is cut across its profile, a plate with holes and a storey of a house along their
+//! outlines, and a block across its length.
+
+mod candidates;
+mod facets;
+mod pose;
+
+use crate::math::vec3;
+use crate::neighbors::Index;
+use facets::Facets;
+use pose::Pose;
+
+/// Noise, in spacings, above which points show no surface: those strewn through a volume seem to have half a spacing.
+const NO_SURFACE: f64 = 0.4;
+/// Share of the surface that an axis must explain; chance explains a tenth.
+const LEAST: f64 = 0.4;
+/// Share of the surface that must hold an axis against turning.
+const HELD: f64 = 0.05;
+/// Share of the surface by which axes are told apart.
+const ALIKE: f64 = 0.02;
+/// How many times as often the section may change along an axis that is as good.
+const OFTEN: f64 = 1.25;
+
+/// The axis of the faces, a unit vector of either sign; `None` where none explains enough of the surface.
+pub(crate) fn of_faces(points: &[[f64; 3]], index: &Index, noise: f64) -> Option<[f64; 3]> {
+    if noise > NO_SURFACE {
+        return None;
+    }
+    let facets = Facets::of(points, index, noise);
+    let mut poses: Vec<(Pose, f64)> = candidates::directions(&facets)
+        .into_iter()
+        .map(|axis| Pose::along(axis, &facets))
+        .filter(|pose| pose.held(&facets) >= HELD)
+        .map(|pose| (pose, pose.explained(&facets)))
+        .collect();
+    let most = poses.iter().map(|p| p.1).fold(0.0, f64::max);
+    if most < LEAST {
+        return None;
+    }
+    poses.retain(|p| p.1 >= most - ALIKE);
+    // Of those about one axis the best.
+    poses.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let near = |a: [f64; 3], b: [f64; 3]| vec3::dot(a, b).abs() >= (2.0 * facets.off).cos();
+    let mut kept: Vec<Pose> = Vec::new();
+    for (pose, _) in poses {
+        if !kept.iter().any(|k| near(k.axis, pose.axis)) {
+            kept.push(pose);
+        }
+    }
+    let changes: Vec<f64> = kept.iter().map(|p| p.changes(&facets)).collect();
+    let fewest = changes.iter().copied().fold(f64::INFINITY, f64::min);
+    let steady = kept.iter().zip(&changes).filter(|(_, c)| **c <= OFTEN * fewest).map(|(p, _)| p);
+    let longest = steady.max_by(|a, b| facets.variance(a.axis).total_cmp(&facets.variance(b.axis)));
+    longest.map(|pose| pose.axis)
+}

@@ -1,0 +1,226 @@
+//! A cloud cut at any heights: what holds for all slices, and the way from a slab to its section.
+
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+use rayon::prelude::*;
+
+use super::planes::{self, Cut};
+use super::slabs::Slabs;
+use super::{adaptive, direction};
+use crate::error::Error;
+use crate::frame::Localised;
+use crate::neighbors::Index;
+use crate::section::frame::SliceFrame;
+use crate::section::outline;
+use crate::section::params::{Outline, SectionParams, Side};
+use crate::section::result::{self, FEWEST, Missing, Section, Sections};
+use crate::section::surface::carry::{Bins, Carrier, CarryLimits, Sample};
+use crate::section::surface::plane::TangentPlane;
+use crate::section::surface::quad::QUAD;
+use crate::section::surface::tangents::{TangentPlanes, tangent_planes};
+use crate::section::surface::texture::{Texture, texture};
+use crate::section::surface::tile::{NOISY, Tile};
+use crate::section::surface::tiles::Tiles;
+
+/// How much farther than the slab reaches points are carried, unless a thickness is given, as points strewn at random leave
+/// holes in a thin slab: those with a plane each, and those of a flat tile, whose plane is surer.
+const FAR: [f64; 2] = [1.2, 2.0];
+
+/// A cloud to be cut across one axis, with what holds for all slices.
+pub(crate) struct Slicer<'a> {
+    local: &'a Localised,
+    index: &'a Index,
+    params: &'a SectionParams,
+    frame: SliceFrame,
+    scale: f64,
+    /// World height of local height 0.
+    base: f64,
+    texture: Texture,
+    tiles: Tiles,
+    observe: &'a (dyn Fn(f64) + Sync),
+}
+
+impl<'a> Slicer<'a> {
+    pub(crate) fn new(
+        local: &'a Localised,
+        index: &'a Index,
+        params: &'a SectionParams,
+        observe: &'a (dyn Fn(f64) + Sync),
+    ) -> Self {
+        let texture = texture(&local.positions, index);
+        let frame = direction::resolve(params.axis, &local.positions, index, texture.noise);
+        let tiles = Tiles::new(index, texture.noise, frame.axes[2]);
+        let base = frame.coordinates(local.frame.offset)[2];
+        Self { local, index, params, frame, scale: local.frame.scale, base, texture, tiles, observe }
+    }
+
+    /// The planes, world heights, in the order asked for.
+    pub(crate) fn cuts(&self) -> Result<Vec<Cut>, Error> {
+        let (low, high) = self.extent();
+        planes::cuts(&self.params.planes, low, high)
+    }
+
+    /// Least and greatest world height of the points; 0 for none.
+    fn extent(&self) -> (f64, f64) {
+        let bounds =
+            |(low, high): (f64, f64), tile: &Tile| (low.min(tile.heights.0), high.max(tile.heights.1));
+        let (low, high) = self.tiles.tiles.iter().fold((f64::INFINITY, f64::NEG_INFINITY), bounds);
+        if low > high { (0.0, 0.0) } else { (self.base + self.scale * low, self.base + self.scale * high) }
+    }
+
+    /// Planes at the middles of adaptive slabs.
+    pub(crate) fn adapted(&self, start: usize, most: usize) -> Vec<Cut> {
+        let limits = adaptive::Limits {
+            start,
+            most,
+            thinnest: 2.0 * self.params.reach_spacings * self.texture.spacing * self.scale,
+            step: self.texture.spacing,
+            alike: (0.15 + 0.5 * self.texture.noise) * self.texture.spacing,
+        };
+        let slabs = adaptive::slabs(self.extent(), limits, |heights| self.cut(heights));
+        slabs.into_iter().map(|(low, high)| (0.5 * (low + high), Some([low, high]))).collect()
+    }
+
+    /// Half the thickness of a slab, local frame.
+    fn half(&self) -> f64 {
+        let auto = self.params.reach_spacings * self.texture.widest;
+        self.params.thickness.map_or(auto, |t| 0.5 * t / self.scale)
+    }
+
+    /// The sections at some world heights, in their order.
+    pub(crate) fn cut(&self, heights: &[f64]) -> Vec<Section> {
+        // Slabs want ascending planes; the order asked for comes back at the end.
+        let mut order: Vec<usize> = (0..heights.len()).collect();
+        order.sort_by(|&a, &b| heights[a].total_cmp(&heights[b]).then(a.cmp(&b)));
+        let ascending: Vec<f64> = order.iter().map(|&k| (heights[k] - self.base) / self.scale).collect();
+        let tiles = &self.tiles.tiles;
+        let slabs = Slabs::of(tiles.par_iter().map(|t| t.heights), &ascending, self.half());
+        let wanted = slabs.union(tiles.len());
+        let (points, noise) = (&self.local.positions, self.texture.noise);
+        let planes = tangent_planes(points, self.index, &self.tiles, &wanted, noise);
+        let done = AtomicUsize::new(0);
+        let cut = |(slot, &plane): (usize, &usize)| {
+            let place = Place { plane, height: heights[plane], local: ascending[slot] };
+            let section = self.section(slabs.of_plane(slot), &planes, place);
+            (self.observe)((done.fetch_add(1, Relaxed) + 1) as f64 / order.len() as f64);
+            section
+        };
+        let mut sections: Vec<Section> = order.par_iter().enumerate().map(cut).collect();
+        sections.sort_by_key(|s| s.plane);
+        sections
+    }
+
+    fn section(&self, slab: &[u32], planes: &TangentPlanes, place: Place) -> Section {
+        let (points, samples) = self.samples(slab, planes, place.local);
+        let chains = outline::contours(&samples, self.params, &self.texture);
+        let missing = match (points, chains.len()) {
+            (0, _) => Some(Missing::Empty),
+            (n, 0) if n < FEWEST => Some(Missing::TooFewPoints(n)),
+            (n, 0) => Some(Missing::NoCurve(n)),
+            _ => None,
+        };
+        let tolerance = self.params.tolerance.map_or_else(|| self.tolerance(), |t| t / self.scale);
+        let contours = result::contours(chains, self.params.fit.then_some(tolerance));
+        Section { plane: place.plane, height: place.height, slab: None, points, contours, missing }
+    }
+
+    /// What the smoothing leaves of the noise, with room for a curve to differ.
+    fn tolerance(&self) -> f64 {
+        (0.1 + 0.6 * self.texture.noise) * self.texture.spacing
+    }
+
+    /// How many points lie in a slab, and the samples of those that can be carried to its plane.
+    fn samples(&self, slab: &[u32], planes: &TangentPlanes, height: f64) -> (usize, Vec<Sample>) {
+        let half = self.half();
+        let (mut count, mut samples) = (0, Vec::with_capacity(2 * slab.len()));
+        let tiles = &self.tiles.tiles;
+        let joined = |a: &u32, b: &u32| tiles[*a as usize].joined && *a as usize / QUAD == *b as usize / QUAD;
+        for leaves in slab.chunk_by(joined) {
+            let tile = planes.tile(leaves[0]);
+            let carrier = if tile.flat { self.carrier(&tile.plane, height) } else { None };
+            let mut bins = Bins::EMPTY;
+            for &leaf in leaves {
+                let own = &self.index.leaves[leaf as usize];
+                let [x, y, z] = self.frame.axes.map(|axis| own.along(axis));
+                let points = (0..own.len()).map(|k| [x[k], y[k], z[k] - height]);
+                count += points.clone().filter(|p| p[2].abs() <= half).count();
+                match &carrier {
+                    Some(carrier) if self.merges() => points.for_each(|p| carrier.merge(p, &mut bins)),
+                    Some(carrier) => samples.extend(points.filter_map(|p| carrier.sample(p))),
+                    None if tile.flat => (),
+                    None => {
+                        let own = planes.fine(leaf as usize).into_iter().flatten();
+                        let sample = |(p, plane)| self.carrier(plane, height)?.sample(p);
+                        samples.extend(points.zip(own).filter_map(sample));
+                    }
+                }
+            }
+            carrier.iter().for_each(|carrier| carrier.merged(&bins, &mut samples));
+        }
+        (count, samples)
+    }
+
+    /// Whether the points of a tile may be taken together: an outline through feature points, or along a side, wants
+    /// the points themselves.
+    fn merges(&self) -> bool {
+        self.params.outline == Outline::Middle && self.params.side == Side::Middle
+    }
+
+    /// Whether points with a plane each are carried far: under strong noise their planes do not reach that far, and an outline
+    /// through feature points follows single points, however far they come from.
+    fn goes_far(&self) -> bool {
+        self.merges() && self.texture.noise <= NOISY
+    }
+
+    fn carrier(&self, plane: &TangentPlane, height: f64) -> Option<Carrier> {
+        let mut plane = *plane;
+        plane.normal = self.frame.coordinates(plane.normal);
+        plane.centre = self.frame.coordinates(plane.centre);
+        plane.centre[2] -= height;
+        let far = |times: f64| match self.params.thickness {
+            Some(thickness) => 0.5 * thickness / self.scale / plane.spacing,
+            None => times * self.params.reach_spacings,
+        };
+        let limits = CarryLimits {
+            half: far(if self.goes_far() { FAR[0] } else { 1.0 }),
+            far: far(FAR[1]),
+            noise: self.texture.noise,
+            carry: self.params.carry,
+        };
+        Carrier::new(plane, limits)
+    }
+
+    /// The tiles, for what comes after the slices.
+    pub(crate) fn into_tiles(self) -> Tiles {
+        self.tiles
+    }
+
+    /// Brings sections from the slice frame to the world.
+    pub(crate) fn finish(&self, mut sections: Vec<Section>, heights: Vec<f64>) -> Sections {
+        let world = |height: f64| {
+            let third = (height - self.base) / self.scale;
+            move |p: [f64; 2]| self.local.frame.to_world(self.frame.vector([p[0], p[1], third]))
+        };
+        for section in &mut sections {
+            let to_world = world(section.height);
+            section.contours.iter_mut().for_each(|c| c.place(&to_world, self.scale));
+        }
+        Sections {
+            frame: self.frame,
+            heights,
+            spacing: self.texture.spacing * self.scale,
+            noise: self.texture.noise,
+            dropped: self.local.dropped,
+            merged: self.local.merged(),
+            sections,
+        }
+    }
+}
+
+/// One plane: its index, its world height and its height in the slice frame.
+#[derive(Clone, Copy)]
+struct Place {
+    plane: usize,
+    height: f64,
+    local: f64,
+}

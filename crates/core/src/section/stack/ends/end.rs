@@ -1,0 +1,30 @@
+//! The end of a run.
+
+/// Where a run ends, with how far off that may be.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct End {
+    /// World height.
+    pub height: f64,
+    /// How far off that may be.
+    pub error: f64,
+    pub by: By,
+}
+
+/// What shows an end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum By {
+    Face,
+    Fold,
+    /// A fold along a curve that is level there.
+    Rim,
+    Meeting,
+    Apex,
+    Border,
+}
+
+impl By {
+    /// Whether the surface shows an edge there.
+    pub(crate) fn is_edge(self) -> bool {
+        matches!(self, By::Face | By::Fold | By::Rim | By::Meeting)
+    }
+}
