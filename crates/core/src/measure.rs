@@ -33,13 +33,9 @@ pub struct Penalties {
     pub corner: Vec<f32>,
     /// `(M, 3)` where on the line the point says that it is; its own position if it cannot tell.
     pub foot: Vec<[f64; 3]>,
-    /// `(M)` evidence that the line is sharp, in variances of the noise; negative speaks for a smooth surface. Zero where
-    /// the detector has no such test.
-    pub evidence: Vec<f32>,
-    /// `(M)` the evidence that a sharp fold of the measured angle would give; zero where the detector has no such test.
-    pub expected: Vec<f32>,
-    /// `(M)` angle between the faces, radians, never negative; zero where the detector does not measure it.
-    pub fold: Vec<f32>,
+    /// `(M)` what a cross-section shows; `None` where none was taken: by a detector that has no such test, at borders and at
+    /// corners.
+    pub evidence: Vec<Option<Evidence>>,
     /// How `vector` acts on an edge.
     pub direction: Direction,
     /// Share of `scalar` in the weight of an edge, the rest is the vector penalty's.
@@ -72,6 +68,11 @@ pub enum Class {
 }
 
 impl Penalties {
+    /// Without candidates yet.
+    pub(crate) fn new(share: f64, direction: Direction) -> Self {
+        Self { share, direction, ..Self::default() }
+    }
+
     /// Appends a candidate.
     pub fn push(&mut self, point: u32, row: Row) {
         self.points.push(point);
@@ -80,8 +81,6 @@ impl Penalties {
         self.corner.push(row.corner);
         self.foot.push(row.foot);
         self.evidence.push(row.evidence);
-        self.expected.push(row.expected);
-        self.fold.push(row.fold);
     }
 
     /// The number of candidates.
@@ -106,10 +105,17 @@ pub struct Row {
     pub corner: f32,
     /// Where on the line the point says that it is.
     pub foot: [f64; 3],
-    /// Evidence that the line is sharp.
-    pub evidence: f32,
-    /// The evidence that a sharp fold of the measured angle would give.
+    /// What a cross-section shows.
+    pub evidence: Option<Evidence>,
+}
+
+/// What the cross-section of a crease candidate shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Evidence {
+    /// Evidence that the line is sharp, in variances of the noise; negative speaks for a smooth surface.
+    pub sharp: f32,
+    /// The evidence that a sharp fold of the measured angle would give without noise.
     pub expected: f32,
-    /// Angle between the faces, radians.
+    /// Angle between the faces, radians, never negative.
     pub fold: f32,
 }

@@ -5,7 +5,7 @@ mod segments;
 pub use segments::ClusterStages;
 
 use crate::detect::{penalty, projection};
-use crate::link::{self, Reach};
+use crate::link::{self, CycleRule, Metric};
 use crate::measure::Measure;
 use crate::network::Network;
 use crate::params::{Method, Params, SegmentForm};
@@ -19,8 +19,7 @@ pub(crate) fn detect(cloud: &Prepared, params: &Params) -> Measure {
     let Prepared { positions, graph, resolution, .. } = cloud;
     match params.method {
         Method::Penalty => penalty::penalty(positions, graph, *resolution, &params.penalty),
-        // Segmentation belongs to linking: its robust form looks at the penalties first.
-        Method::Segments => penalty::penalty(positions, graph, *resolution, &params.penalty),
+        Method::Segments => segments::detect(cloud, params),
         Method::Projection => projection::candidates::measure(positions, graph, *resolution, params),
     }
 }
@@ -33,11 +32,12 @@ pub(crate) fn link(
 ) -> (Pattern, Option<ClusterStages>) {
     match params.method {
         Method::Penalty | Method::Projection => {
-            let reach = reach(cloud, params);
-            (link::link(&cloud.graph, measure, cloud.resolution, &params.spanning, reach), None)
+            let rule = cycle_rule(cloud, params);
+            (link::link(&cloud.graph, measure, cloud.resolution, &params.spanning, rule), None)
         }
         Method::Segments => {
-            let (pattern, stages) = segments::link(cloud, measure, &params.segments, reach(cloud, params));
+            let (pattern, stages) =
+                segments::link(cloud, measure, &params.segments, cycle_rule(cloud, params));
             (pattern, Some(stages))
         }
     }
@@ -71,8 +71,11 @@ pub(crate) fn patches(
 /// The values chosen for parameters left to the data.
 pub(crate) fn settings(cloud: &Prepared, params: &Params) -> Vec<(String, String)> {
     let derived = penalty::derive(&params.penalty, cloud.resolution);
-    let Reach { rho, in_edges, .. } = reach(cloud, params);
-    let unit = if in_edges { "edges" } else { "spacings" };
+    let CycleRule { rho, metric, .. } = cycle_rule(cloud, params);
+    let unit = match metric {
+        Metric::Edges => "edges",
+        Metric::Lengths(_) => "spacings",
+    };
     vec![
         ("penalty.hops".into(), derived.hops.to_string()),
         ("penalty.alpha".into(), format!("{:.3}", derived.alpha)),
@@ -91,6 +94,6 @@ pub(crate) fn notes(cloud: &Prepared, clusters: Option<&ClusterStages>, params: 
     }
 }
 
-fn reach(cloud: &Prepared, params: &Params) -> Reach {
-    link::reach(&params.spanning, params.penalty.form, cloud.positions.len())
+fn cycle_rule(cloud: &Prepared, params: &Params) -> CycleRule {
+    CycleRule::new(&params.spanning, params.penalty.form, cloud.positions.len(), cloud.resolution)
 }

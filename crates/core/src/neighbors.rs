@@ -1,6 +1,7 @@
 //! Nearest neighbours of every point, as flat lists.
 
 pub mod delaunay_ring;
+mod density;
 mod engine;
 mod found;
 mod index;
@@ -14,13 +15,14 @@ mod rows;
 mod simd;
 mod split;
 
+pub use density::mean_distance;
 pub use engine::Instructions;
 pub use found::Found;
 pub use index::Index;
 pub use leaf::BLOCK;
 pub(crate) use leaf::{Leaf, WIDTH};
-pub use nearest::{all_nearest, all_nearest_with, nearest_blocks};
 pub(crate) use nearest::nearest_leaves;
+pub use nearest::{all_nearest, all_nearest_with, nearest_blocks};
 pub use rows::Neighbors;
 
 #[cfg(test)]

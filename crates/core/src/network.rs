@@ -42,6 +42,16 @@ pub enum NodeKind {
 }
 
 impl NodeKind {
+    /// The kind of a node in which that many strip ends meet.
+    pub(crate) fn of_degree(degree: u32) -> NodeKind {
+        match degree {
+            0 => NodeKind::Apex,
+            1 => NodeKind::End,
+            2 => NodeKind::Corner,
+            _ => NodeKind::Junction,
+        }
+    }
+
     /// The name in files: `junction`, `corner`, `end` or `apex`.
     pub fn name(self) -> &'static str {
         match self {

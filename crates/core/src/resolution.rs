@@ -1,8 +1,7 @@
 //! How densely and how noisily the surface was sampled: two numbers that every tolerance follows from.
 
 use crate::math::tensor::ellipsoid;
-use crate::math::vec3::distance;
-use crate::neighbors::{Neighbors, riemannian::Scratch};
+use crate::neighbors::{Neighbors, mean_distance, riemannian::Scratch};
 use rayon::prelude::*;
 
 /// Mean spacing and noise of a cloud, local frame.
@@ -39,7 +38,8 @@ impl Resolution {
     pub fn estimate(points: &[[f64; 3]], nearest: &Neighbors, graph: &Neighbors) -> Resolution {
         let step = points.len().div_ceil(SAMPLES).max(1);
         let chosen: Vec<usize> = (0..points.len()).step_by(step).collect();
-        let near: Vec<f64> = chosen.par_iter().map(|&i| mean_distance(points, i, nearest.of(i))).collect();
+        let near: Vec<f64> =
+            chosen.par_iter().map(|&i| mean_distance(points, i, six(nearest.of(i)))).collect();
         let raw = mean_without_strays(&near);
         let small = FITS.iter().filter_map(|&(size, scale)| {
             let fits = chosen.iter().filter(|&&i| nearest.of(i).len() >= size - 1);
@@ -71,9 +71,9 @@ fn mean_without_strays(values: &[f64]) -> f64 {
     sum / f64::from(count)
 }
 
-fn mean_distance(points: &[[f64; 3]], i: usize, nearest: &[u32]) -> f64 {
-    let six = &nearest[..nearest.len().min(6)];
-    six.iter().map(|&j| distance(points[i], points[j as usize])).sum::<f64>() / six.len().max(1) as f64
+/// The six nearest: a ring on a surface.
+fn six(nearest: &[u32]) -> &[u32] {
+    &nearest[..nearest.len().min(6)]
 }
 
 /// The noise in neighbourhoods of graph distance two and more: the first that is flat, else the widest.

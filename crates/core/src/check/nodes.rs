@@ -18,21 +18,12 @@ pub(super) fn faults(network: &Network) -> Vec<String> {
         if node.degree != degree {
             faults.push(format!("node {i}: degree {} but {degree} strip ends", node.degree));
         }
-        if node.kind != kind(degree) {
+        if node.kind != NodeKind::of_degree(degree) {
             faults.push(format!("node {i}: kind {} with {degree} strip ends", node.kind.name()));
         }
     }
     faults.extend(shared_places(network));
     faults
-}
-
-fn kind(degree: u32) -> NodeKind {
-    match degree {
-        0 => NodeKind::Apex,
-        1 => NodeKind::End,
-        2 => NodeKind::Corner,
-        _ => NodeKind::Junction,
-    }
 }
 
 fn shared_places(network: &Network) -> Vec<String> {

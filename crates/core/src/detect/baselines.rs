@@ -9,7 +9,7 @@ mod curvature;
 mod normal_difference;
 mod variation;
 
-use super::marks::{Least, Marks};
+use super::projection::marks::{Floor, Marks};
 use super::projection::project;
 use crate::params::{ProjectionParams, choices};
 use crate::resolution::Resolution;
@@ -18,7 +18,7 @@ use crate::resolution::Resolution;
 const SCALE: (usize, usize) = (16, 2);
 
 /// Values up to here are rounding: all of these measures are numbers near one where there is an edge.
-const LEAST: f64 = 1e-6;
+const ROUNDING: f64 = 1e-6;
 
 /// A measure that marks points by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,5 +85,5 @@ pub fn marks(
         Detector::MultiscaleVariation => variation::greatest(points),
         Detector::Persistence => variation::persistence(points, params.bins),
     };
-    Marks::new(values, Least { mark: LEAST, beside: LEAST }, params)
+    Marks::new(values, Floor { mark: ROUNDING, beside: ROUNDING }, params)
 }

@@ -1,19 +1,16 @@
 //! Point penalties (Gumhold 2001, sections 2.2 and 3.1): how improbable it is that a point lies on a crease, a corner or a
 //! border.
 //!
-//! Two forms. [`paper`] is as printed. [`robust`], the default, departs where the paper is fragile: see there.
+//! Two forms. `as_printed` is the paper's. `robust`, the default, departs where the paper is fragile: see there.
 
-pub(crate) mod align;
-pub(crate) mod border;
-mod pair;
-pub mod paper;
-pub mod robust;
-mod sharpness;
+mod as_printed;
+mod robust;
 
-use crate::measure::Measure;
-use crate::neighbors::Neighbors;
+use crate::measure::{Measure, Penalties};
+use crate::neighbors::{Neighbors, mean_distance};
 use crate::params::{PenaltyForm, PenaltyParams};
 use crate::resolution::Resolution;
+use rayon::prelude::*;
 
 /// The values that the parameters left to the data.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,13 +44,25 @@ pub fn penalty(
     let derived = derive(params, resolution);
     match params.form {
         PenaltyForm::Robust => robust::penalties(points, graph, resolution, params, derived),
-        PenaltyForm::Paper => paper::penalties(points, graph, params, derived),
+        PenaltyForm::Paper => as_printed::penalties(points, graph, params, derived),
     }
 }
 
-/// Mean distance to the direct neighbours (equation 1); zero for a point without any.
-pub fn density(points: &[[f64; 3]], graph: &Neighbors, i: usize) -> f64 {
-    let near = graph.of(i);
-    let sum: f64 = near.iter().map(|&j| crate::math::vec3::distance(points[i], points[j as usize])).sum();
-    sum / near.len().max(1) as f64
+/// The border penalties alone.
+pub fn borders(
+    points: &[[f64; 3]],
+    graph: &Neighbors,
+    resolution: Resolution,
+    params: &PenaltyParams,
+) -> Penalties {
+    let derived = derive(params, resolution);
+    match params.form {
+        PenaltyForm::Robust => robust::borders(points, graph, resolution, params, derived),
+        PenaltyForm::Paper => as_printed::borders(points, graph, params, derived),
+    }
+}
+
+/// `(N)` mean distance of every point from its direct neighbours (equation 1).
+pub fn densities(points: &[[f64; 3]], graph: &Neighbors) -> Vec<f32> {
+    (0..points.len()).into_par_iter().map(|i| mean_distance(points, i, graph.of(i)) as f32).collect()
 }

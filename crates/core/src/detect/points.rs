@@ -1,7 +1,7 @@
 //! A detector by itself: from a cloud to a score and a mark for each of its points, without lines.
 
 use super::baselines::{Detector, marks};
-use super::marks::Marks;
+use super::projection::marks::Marks;
 use super::projection::warning;
 use crate::cloud::Cloud;
 use crate::error::Error;

@@ -15,15 +15,16 @@
 //!
 //! The paper ends with marked points; [`candidates`] prepares them for a linker.
 
-pub mod candidates;
-pub mod choice;
+pub(crate) mod candidates;
+mod choice;
+pub mod marks;
 pub mod scales;
 
 use std::f64::consts::PI;
 
-use super::marks::{Least, Marks};
 use crate::params::ProjectionParams;
 use crate::resolution::Resolution;
+use marks::{Floor, Marks};
 use scales::{SCALES, at_every_scale};
 
 /// What the method says of every point, canonical order.
@@ -41,8 +42,7 @@ pub struct Projection {
 /// (the bench `projection`), where F1 falls from .93 to .77 there.
 pub const NOISE_LIMIT: f64 = 0.15;
 
-/// Projected distance, in spacings, that a point may have which is near an edge and not at it (the paper's table 1: less
-/// than 0.1).
+/// Greatest projected distance, in spacings, of a point near an edge and not at it (the paper's table 1: less than 0.1).
 const NEAR_SHARP: f64 = 0.1;
 
 /// Projected distances of all points at their best scales, and which of them are marked. `points` in canonical order,
@@ -68,8 +68,8 @@ pub fn project(points: &[[f64; 3]], resolution: Resolution, params: &ProjectionP
     }
     // A disc of one point for each square of the spacing has this radius.
     let radius = ((SCALES[standard] + 1) as f64 / PI).sqrt() * resolution.spacing;
-    let least = Least { mark: floor / radius, beside: NEAR_SHARP * resolution.spacing / radius };
-    projection.marks = Marks::new(distances, least, params);
+    let floor = Floor { mark: floor / radius, beside: NEAR_SHARP * resolution.spacing / radius };
+    projection.marks = Marks::new(distances, floor, params);
     projection
 }
 

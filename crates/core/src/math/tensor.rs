@@ -37,11 +37,22 @@ fn correlation(points: &[[f64; 3]], own: usize, neighbors: &[u32]) -> ([f64; 3],
         }
         add_product(&mut products, d, 1.0);
     }
-    let n = (neighbors.len() + 1) as f64;
-    let centre = sum.map(|s| s / n);
-    let mut tensor = products.map(|p| p / n);
-    add_product(&mut tensor, centre, -1.0);
+    centred(sum, products, (neighbors.len() + 1) as f64)
+}
+
+/// Centre and correlation tensor of vectors of which the sum, the sum of products and the count, or sum of weights, are known.
+pub fn centred(sum: [f64; 3], products: Symmetric3, count: f64) -> ([f64; 3], Symmetric3) {
+    let centre = sum.map(|s| s / count); // equation 2
+    let mut tensor = products.map(|p| p / count);
+    add_product(&mut tensor, centre, -1.0); // equation 3
     (centre, tensor)
+}
+
+/// The sum of `v v^t` over some vectors.
+pub fn scatter(vectors: impl Iterator<Item = [f64; 3]>) -> Symmetric3 {
+    let mut sum = [0.0; 6];
+    vectors.for_each(|v| add_product(&mut sum, v, 1.0));
+    sum
 }
 
 /// Adds `weight v v^t`.

@@ -1,10 +1,11 @@
 //! The method `segments`: segmentation, then a closed graph over it (Demarsin et al. 2007, Algorithm 1).
 
-use crate::detect::segments::steps::{self, Segmented};
-use crate::link::Reach;
-use crate::link::clusters::{GraphStage, border, link_paper, link_robust};
+use crate::detect::penalty;
+use crate::detect::segments::{Segmented, as_printed, robust};
+use crate::link::CycleRule;
+use crate::link::clusters::{GraphStage, Segments, borders, link_as_printed, link_robust};
 use crate::measure::Measure;
-use crate::params::{SegmentForm, SegmentParams};
+use crate::params::{Params, SegmentForm, SegmentParams};
 use crate::pattern::Pattern;
 use crate::prepare::Prepared;
 
@@ -17,29 +18,42 @@ pub struct ClusterStages {
     pub graphs: Vec<GraphStage>,
 }
 
+/// What is measured before the segmentation: as printed the borders alone, in the robust form all penalties.
+pub(super) fn detect(cloud: &Prepared, params: &Params) -> Measure {
+    let Prepared { positions, graph, resolution, .. } = cloud;
+    match params.segments.form {
+        SegmentForm::Paper => Measure {
+            density: penalty::densities(positions, graph),
+            border: penalty::borders(positions, graph, *resolution, &params.penalty),
+            ..Measure::default()
+        },
+        SegmentForm::Robust => penalty::penalty(positions, graph, *resolution, &params.penalty),
+    }
+}
+
 /// Segments the cloud and links over the clusters.
 pub(super) fn link(
     cloud: &Prepared,
     measure: &mut Measure,
     params: &SegmentParams,
-    reach: Reach,
+    rule: CycleRule,
 ) -> (Pattern, ClusterStages) {
-    let Prepared { positions, graph, resolution, .. } = cloud;
+    let &Prepared { ref positions, ref graph, resolution, .. } = cloud;
     let (segmented, linked) = match params.form {
         SegmentForm::Paper => {
-            let candidates = std::mem::take(&mut measure.border);
-            let density = std::mem::take(&mut measure.density);
-            let segmented = steps::paper(positions, *resolution, params, measure);
-            measure.density = density;
+            let (segmented, normals) = as_printed(positions, resolution, params);
+            measure.normal = normals;
+            measure.score = segmented.segments.score();
             let smooth = if segmented.rounds > 0 { &segmented.smoothed } else { positions };
-            let border = border(graph, measure, &candidates, *resolution, reach);
-            let linked =
-                link_paper(smooth, &segmented.rings, &segmented.segments, border, *resolution, params);
+            let border = borders(graph, measure, resolution, rule);
+            let linked = link_as_printed(smooth, &segmented.rings, &segmented.segments, border, params);
             (segmented, linked)
         }
         SegmentForm::Robust => {
-            let segmented = steps::robust(positions, graph, *resolution, params, measure);
-            let linked = link_robust(positions, graph, measure, &segmented.segments, *resolution, reach);
+            let segmented = robust(positions, graph, resolution, params, measure);
+            let segments = &segmented.segments;
+            let linked =
+                link_robust(&Segments { points: positions, graph, measure, segments, resolution, rule });
             (segmented, linked)
         }
     };

@@ -1,6 +1,7 @@
 //! The graph of one kind of line: vertices with what is known of each, and the edges between them.
 
-use crate::math::vec3::{add_scaled, sub};
+use crate::math::vec3::{add_scaled, distance, sub};
+use crate::measure::Evidence;
 
 /// A graph on some of the points of the cloud.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -9,17 +10,12 @@ pub struct LineGraph {
     pub points: Vec<u32>,
     /// `(V, 3)` where the vertex lies, which need not be where its point lies.
     pub positions: Vec<[f64; 3]>,
-    /// `(V)` penalty of each vertex, 0 to 1.
-    pub penalty: Vec<f32>,
+    /// `(V)` penalty of each vertex, 0 to 1; `None` where a linker has no penalties.
+    pub penalty: Vec<Option<f32>>,
     /// `(V)` how little a direction is preferred at the vertex: 0 at a corner, 1 on a line.
     pub corner: Vec<f32>,
-    /// `(V)` evidence that the line is sharp, in variances of the noise, of all points that the vertex stands for; see
-    /// [`Penalties`](crate::measure::Penalties).
-    pub evidence: Vec<f32>,
-    /// `(V)` the evidence that a sharp fold of the measured angle would give.
-    pub expected: Vec<f32>,
-    /// `(V)` angle between the faces, radians; zero where unknown.
-    pub fold: Vec<f32>,
+    /// `(V)` what the cross-sections of all points show that the vertex stands for; `None` where none was taken.
+    pub evidence: Vec<Option<Evidence>>,
     /// `(V)` neighbours of each vertex in the graph, ascending.
     pub edges: Vec<Vec<u32>>,
     /// Vertices that are nodes though only two lines meet in them: corners, and what the other pattern meets there.
@@ -44,29 +40,39 @@ impl LineGraph {
 
     /// A new vertex of `point` at `position` of which nothing else is known.
     pub fn push_vertex(&mut self, point: u32, position: [f64; 3]) -> u32 {
-        self.points.push(point);
-        self.positions.push(position);
-        self.penalty.push(1.0);
-        self.corner.push(1.0);
-        self.evidence.push(0.0);
-        self.expected.push(0.0);
-        self.fold.push(0.0);
-        self.edges.push(Vec::new());
-        (self.edges.len() - 1) as u32
+        self.push(point, position, Some(1.0), 1.0)
     }
 
     /// A new vertex at `position`, otherwise like `model` but without evidence of its own.
     pub fn add_vertex(&mut self, model: u32, position: [f64; 3]) -> u32 {
         let m = model as usize;
-        self.points.push(self.points[m]);
+        self.push(self.points[m], position, self.penalty[m], self.corner[m])
+    }
+
+    fn push(&mut self, point: u32, position: [f64; 3], penalty: Option<f32>, corner: f32) -> u32 {
+        self.points.push(point);
         self.positions.push(position);
-        self.penalty.push(self.penalty[m]);
-        self.corner.push(self.corner[m]);
-        self.evidence.push(0.0);
-        self.expected.push(0.0);
-        self.fold.push(0.0);
+        self.penalty.push(penalty);
+        self.corner.push(corner);
+        self.evidence.push(None);
         self.edges.push(Vec::new());
         (self.edges.len() - 1) as u32
+    }
+
+    /// Length of the strip from a loose `end` to the next vertex that is not within a strip.
+    pub fn strip_length(&self, end: u32) -> f64 {
+        let (mut before, mut at) = (end, self.edges[end as usize][0]);
+        let step = |a: u32, b: u32| distance(self.positions[a as usize], self.positions[b as usize]);
+        let mut length = step(before, at);
+        while let [a, b] = *self.edges[at as usize].as_slice() {
+            let next = if a == before { b } else { a };
+            (before, at) = (at, next);
+            length += step(before, at);
+            if at == end {
+                break;
+            }
+        }
+        length
     }
 
     /// `(V)` whether strips end at the vertex: where one, three or more lines meet, and at the `nodes`.

@@ -16,7 +16,7 @@ use crate::resolution::Resolution;
 const CONTRACTED: f64 = 3.0;
 
 /// A crease that ends this near to a border's node ends on it, spacings.
-const NEAR: f64 = 1.0;
+const BESIDE_NODE: f64 = 1.0;
 
 /// One node.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,7 +89,7 @@ pub fn agree(crease: (&LineGraph, &mut Meeting), border: (&LineGraph, &Meeting),
             meeting.clusters[g as usize].position = place;
         }
     }
-    land(lines, meeting, border.1, NEAR * resolution.unit());
+    land(lines, meeting, border.1, BESIDE_NODE * resolution.unit());
     let clusters = &meeting.clusters;
     meeting.paths.retain(|path| {
         let Some([a, b]) = path.ends else { return true };

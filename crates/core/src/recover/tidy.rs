@@ -81,11 +81,6 @@ fn count(network: &mut Network) {
         network.nodes[end as usize].degree += 1;
     }
     for node in &mut network.nodes {
-        node.kind = match node.degree {
-            0 => NodeKind::Apex,
-            1 => NodeKind::End,
-            2 => NodeKind::Corner,
-            _ => NodeKind::Junction,
-        };
+        node.kind = NodeKind::of_degree(node.degree);
     }
 }

@@ -13,7 +13,7 @@ use crate::resolution::Resolution;
 use std::collections::BTreeSet;
 
 /// Strips longer than this, spacings, are seen clearly enough to stay.
-const LONG: f64 = 20.0;
+const CLEARLY_SEEN: f64 = 20.0;
 
 /// Takes the strips that are no boundaries out of the crease pattern, those that fold less than `fold_deg`; whether there were
 /// any.
@@ -26,7 +26,7 @@ pub fn take_back(
 ) -> bool {
     let mut degree: Vec<u32> = network.nodes.iter().map(|n| n.degree).collect();
     let mut flat: Vec<(f64, usize)> = (0..network.strips.len())
-        .filter(|&s| length(&network.strips[s]) <= LONG * resolution.unit())
+        .filter(|&s| length(&network.strips[s]) <= CLEARLY_SEEN * resolution.unit())
         .filter_map(|s| Some((flatness(&network.strips[s], patches, s)?, s)).filter(|f| f.0 < fold_deg))
         .collect();
     flat.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));

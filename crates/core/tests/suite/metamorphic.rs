@@ -3,7 +3,7 @@
 use crate::common::{cloud, few_bits, found};
 use lineament::shapes::{Fold, bent_sheet, cube_386, cylinders, random_cube, sheet_with_hole, wedge};
 use lineament::shapes::{Rng, Sampling, Scan, Shape, Truth, TruthCurve, TruthNode};
-use lineament::{Network, check};
+use lineament::{Network, evaluate};
 
 /// Clouds with creases, borders, loops and noise, no point twice, coordinates of few bits.
 fn clouds() -> Vec<(&'static str, Vec<[f64; 3]>)> {
@@ -174,7 +174,7 @@ fn rotation_turns_the_lines() {
         let turned: Vec<[f64; 3]> = points.iter().map(|&p| turn(p)).collect();
         let network = found(&cloud(&turned)).network;
         let truth = as_truth(&mapped(first.network, 1.0, turn));
-        let score = check::against(&network, &truth, first.report.spacing);
+        let score = evaluate::against(&network, &truth, first.report.spacing);
         assert!(score.at_1h.f1 >= 0.98, "{name}: {score:?}");
     }
 }

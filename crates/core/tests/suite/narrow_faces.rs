@@ -1,16 +1,16 @@
 //! Faces that are narrower than a neighbourhood: each of their edges is a line of its own.
 
 use lineament::shapes::{Sampling, Scan, Shape, chamfered_block, cuboid};
-use lineament::{Extraction, Method, Params, check, extract};
+use lineament::{Extraction, Method, Params, check, evaluate, extract};
 
 const METHODS: [Method; 3] = [Method::Penalty, Method::Projection, Method::Segments];
 
 /// What is found on 6,000 points of a shape at a given noise, with its score against the truth.
-fn found(shape: &Shape, noise: f64, method: Method) -> (Extraction, check::Score) {
+fn found(shape: &Shape, noise: f64, method: Method) -> (Extraction, evaluate::Score) {
     let scan = shape.sample(&Scan::new(Sampling::BlueNoise { count: 6000 }).noise(noise).seed(1));
     let found = extract(&scan.cloud, &Params { method, ..Params::default() }).unwrap();
     check::network(&found.network).unwrap();
-    let score = check::against(&found.network, &scan.truth, scan.spacing);
+    let score = evaluate::against(&found.network, &scan.truth, scan.spacing);
     (found, score)
 }
 

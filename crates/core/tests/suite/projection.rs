@@ -3,7 +3,7 @@
 use lineament::detect::baselines::Detector;
 use lineament::detect::points::mark;
 use lineament::shapes::{Sampled, Sampling, Scan, bracket, cube_386, sheet, sphere};
-use lineament::{Class, Cloud, Error, Method, Params, StripKind, check, extract};
+use lineament::{Class, Cloud, Error, Method, Params, StripKind, check, evaluate, extract};
 
 fn by_projection() -> Params {
     Params { method: Method::Projection, ..Params::default() }
@@ -64,7 +64,7 @@ fn the_cube_has_12_creases_and_8_junctions_by_projection() {
     let cube = cube_386();
     let network = extract(&cube.cloud, &by_projection()).unwrap().network;
     check::network(&network).unwrap();
-    assert!(check::isomorphic(&network, &cube.truth), "{} strips", network.strips.len());
+    assert!(evaluate::isomorphic(&network, &cube.truth), "{} strips", network.strips.len());
 }
 
 #[test]

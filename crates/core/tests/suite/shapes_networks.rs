@@ -6,7 +6,7 @@ use lineament::shapes::{
     bent_sheet, cuboid, cylinders, sheet, sheet_with_hole, sphere, stepped_shaft, tapered_block,
 };
 use lineament::shapes::{torus, tube, wedge};
-use lineament::{Class, NodeKind, Strip, StripKind, check};
+use lineament::{Class, NodeKind, Strip, StripKind, evaluate};
 
 fn blue_noise(shape: &Shape, count: usize, noise: f64) -> Sampled {
     shape.sample(&Scan::new(Sampling::BlueNoise { count }).noise(noise).seed(1))
@@ -19,8 +19,8 @@ fn cube_386_has_12_strips_8_junctions_and_92_points_on_edges() {
     let network = &result.network;
     assert_eq!((network.strips.len(), network.count(NodeKind::Junction)), (12, 8));
     assert_eq!(network.nodes.len(), 8);
-    assert!(check::isomorphic(network, &scan.truth));
-    assert_eq!(check::against(network, &scan.truth, scan.spacing).at_1h.f1, 1.0);
+    assert!(evaluate::isomorphic(network, &scan.truth));
+    assert_eq!(evaluate::against(network, &scan.truth, scan.spacing).at_1h.f1, 1.0);
     let on_edge = |p: &[f64; 3]| p.iter().filter(|x| x.abs() == 0.5).count() >= 2;
     let classified: Vec<bool> = result.classes().iter().map(|&c| c != Class::Smooth).collect();
     let expected: Vec<bool> = scan.cloud.positions.iter().map(on_edge).collect();
@@ -34,7 +34,7 @@ fn random_cube_is_a_cube_for_18_seeds_of_20() {
         let scan = random_cube(seed, 10_000);
         let network = found(&scan.cloud).network;
         let cube = network.strips.len() == 12 && network.count(NodeKind::Junction) == 8;
-        cube && check::isomorphic(&network, &scan.truth)
+        cube && evaluate::isomorphic(&network, &scan.truth)
     });
     let good: Vec<u64> = good.collect();
     assert!(good.len() >= 18, "only seeds {good:?}");
@@ -73,10 +73,10 @@ fn stepped_shaft_shows_all_13_circles() {
 #[track_caller]
 fn is_its_truth(scan: &Sampled, least_f1: f64) {
     let network = found(&scan.cloud).network;
-    let score = check::against(&network, &scan.truth, scan.spacing);
+    let score = evaluate::against(&network, &scan.truth, scan.spacing);
     let shape = (network.strips.len(), network.loops(), network.nodes.len());
     assert!(score.at_1h.f1 >= least_f1, "{shape:?}: {score:?}");
-    assert!(check::isomorphic(&network, &scan.truth), "{shape:?} is not the truth's graph: {score:?}");
+    assert!(evaluate::isomorphic(&network, &scan.truth), "{shape:?} is not the truth's graph: {score:?}");
 }
 
 #[test]
@@ -103,7 +103,7 @@ fn open_sheet_has_its_border_and_no_crease() {
         let scan = blue_noise(&sheet(), 4000, noise);
         let network = found(&scan.cloud).network;
         assert!(network.strips.iter().all(|s| s.kind == StripKind::Border), "noise {noise}");
-        let score = check::against(&network, &scan.truth, scan.spacing);
+        let score = evaluate::against(&network, &scan.truth, scan.spacing);
         assert!(score.at_2h.recall >= 0.95 && score.at_2h.precision >= 0.95, "noise {noise}: {score:?}");
     }
 }
@@ -111,7 +111,7 @@ fn open_sheet_has_its_border_and_no_crease() {
 #[test]
 fn border_of_a_sheet_is_one_ring() {
     let scan = blue_noise(&sheet(), 4000, 0.0);
-    assert!(check::isomorphic(&found(&scan.cloud).network, &scan.truth));
+    assert!(evaluate::isomorphic(&found(&scan.cloud).network, &scan.truth));
 }
 
 #[test]
@@ -137,7 +137,7 @@ fn crease_of_a_bent_sheet_ends_on_its_border() {
         assert_eq!(creases.len(), 1, "noise {noise}");
         assert_eq!(network.count(NodeKind::End), 0, "noise {noise}");
         assert_eq!(network.count(NodeKind::Junction), 2, "noise {noise}");
-        let score = check::against(&network, &scan.truth, scan.spacing);
+        let score = evaluate::against(&network, &scan.truth, scan.spacing);
         assert!(score.at_2h.f1 >= 0.95, "noise {noise}: {score:?}");
     }
 }
@@ -156,7 +156,7 @@ fn tube_has_two_border_loops() {
         let what: Vec<(StripKind, bool)> =
             network.strips.iter().map(|s: &Strip| (s.kind, s.closed)).collect();
         assert_eq!(what, [(StripKind::Border, true); 2], "noise {noise}");
-        let score = check::against(&network, &scan.truth, scan.spacing);
+        let score = evaluate::against(&network, &scan.truth, scan.spacing);
         assert!(score.at_2h.f1 >= 0.95, "noise {noise}: {score:?}");
     }
 }

@@ -5,7 +5,7 @@ use super::json::{Number, Text, lines};
 use super::{PointFormat, PointTable, write_points_to};
 use crate::error::Error;
 use crate::output::Output;
-use lineament::method::ClusterStages;
+use lineament::ClusterStages;
 use lineament::pattern::LineGraph;
 use lineament::{Attribute, Cloud, Column, Extraction};
 use std::io::{self, Write};

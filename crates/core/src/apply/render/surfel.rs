@@ -7,8 +7,9 @@ use crate::cloud::Cloud;
 use crate::error::Error;
 use crate::frame::Frame;
 use crate::math::eigen3::eigen3;
+use crate::math::tensor::scatter;
 use crate::math::vec3::{add, add_scaled, distance, dot, norm, scale, sub};
-use crate::neighbors::{BLOCK, nearest_blocks};
+use crate::neighbors::{BLOCK, mean_distance, nearest_blocks};
 
 /// A point with the disc that stands for its piece of the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,7 +49,8 @@ pub fn surfels(world: &Cloud) -> Result<(Vec<Surfel>, f64), Error> {
     let blocks = nearest_blocks(points, k, |first, lists| {
         let members = first..points.len().min(first + BLOCK);
         let rows = members.zip(lists.chunks_exact(k));
-        rows.map(|(i, near)| (disc(points, i, near), mean_distance(points, i, near))).collect::<Vec<_>>()
+        rows.map(|(i, near)| (disc(points, i, near), mean_distance(points, i, &near[..near.len().min(6)])))
+            .collect::<Vec<_>>()
     });
     let mut discs: Vec<(Surfel, f64)> = blocks.into_iter().flatten().collect();
     if k == 0 {
@@ -99,18 +101,7 @@ fn mean_offset(points: &[[f64; 3]], own: [f64; 3], near: &[u32]) -> [f64; 3] {
 fn correlation(points: &[[f64; 3]], own: [f64; 3], near: &[u32]) -> [f64; 6] {
     let mean = mean_offset(points, own, near);
     let offsets = near.iter().map(|&j| sub(points[j as usize], own));
-    let mut tensor = [0.0; 6];
-    for [x, y, z] in offsets.chain([[0.0; 3]]).map(|d| sub(d, mean)) {
-        for (sum, product) in tensor.iter_mut().zip([x * x, x * y, x * z, y * y, y * z, z * z]) {
-            *sum += product;
-        }
-    }
-    tensor
-}
-
-fn mean_distance(points: &[[f64; 3]], i: usize, near: &[u32]) -> f64 {
-    let six = &near[..near.len().min(6)];
-    six.iter().map(|&j| distance(points[i], points[j as usize])).sum::<f64>() / six.len() as f64
+    scatter(offsets.chain([[0.0; 3]]).map(|d| sub(d, mean)))
 }
 
 fn median(mut values: Vec<f64>) -> f64 {

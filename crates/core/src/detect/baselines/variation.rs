@@ -9,7 +9,7 @@ use crate::detect::projection::scales::{SCALES, at_every_scale};
 use crate::math::otsu::otsu;
 
 /// No set of points varies more: all eigenvalues are equal.
-const MOST: f32 = 1.0 / 3.0;
+const GREATEST: f32 = 1.0 / 3.0;
 
 /// `(N)` surface variation of the point and its 16 nearest neighbours, 0 to 1/3.
 pub(super) fn at_scale(points: &[[f64; 3]]) -> Vec<f32> {
@@ -23,7 +23,7 @@ pub(super) fn greatest(points: &[[f64; 3]]) -> Vec<f32> {
 
 /// `(N)` the share of the scales at which the surface variation is above the common threshold, 0 to 1.
 pub(super) fn persistence(points: &[[f64; 3]], bins: usize) -> Vec<f32> {
-    let rows = at_every_scale(points, |_, _, scales| scales.map(|s| s.variation as f32 / MOST));
+    let rows = at_every_scale(points, |_, _, scales| scales.map(|s| s.variation as f32 / GREATEST));
     let threshold = otsu(rows.as_flattened(), bins).map_or(f64::INFINITY, |cut| cut.threshold);
     let high = |row: &[f32; 7]| row.iter().filter(|&&v| f64::from(v) > threshold).count();
     rows.iter().map(|row| high(row) as f32 / SCALES.len() as f32).collect()

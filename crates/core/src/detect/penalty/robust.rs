@@ -10,20 +10,18 @@
 //! * **Corner.** At a corner the least eigenvalue of `M` is large too, and no direction is preferred.
 //! * **Foot.** The point nearest to all tangent planes of the neighbourhood (the quadric error of the paper's section 4.2,
 //!   along the well-determined eigenvectors of `M` only) says where on the crease or corner the point belongs.
-//! * **Narrow faces.** Where a neighbourhood holds more than two faces, two of them are looked at alone (`pair`).
+//! * **Narrow faces.** Where a neighbourhood holds more than two faces, two of them are looked at alone (`evidence/pair.rs`).
 //! * **Border.** The open angle counts only if it is wider than chance would leave it in as many directions, and not at an
 //!   acute crease, where one face hides the other.
 
-use super::align::align;
-use super::border::{border, may_be_border};
-use super::pair::{Pair, pair};
-use super::sharpness::sharpness;
-use super::{Derived, density};
-use crate::detect::fold::{CrossSection, Fold};
-use crate::detect::normals::{Normals, inner, normals};
-use crate::math::eigen3::{Eigen3, eigen3};
-use crate::math::tensor::add_product;
-use crate::math::vec3::{add, add_scaled, dot, norm, scale, sub};
+use super::{Derived, densities};
+use crate::detect::evidence::align::{align_borders, align_creases};
+use crate::detect::evidence::border::{HIDING_FOLD, border, may_be_border};
+use crate::detect::evidence::crease::crease;
+use crate::detect::evidence::fold::CrossSection;
+use crate::detect::evidence::normals::{inner, normals};
+use crate::detect::evidence::sides::Sides;
+use crate::detect::evidence::surroundings::Surroundings;
 use crate::measure::{Direction, Measure, Penalties, Row};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::params::PenaltyParams;
@@ -33,35 +31,11 @@ use rayon::prelude::*;
 /// Points that a thread takes at a time.
 const BLOCK: usize = 1024;
 /// Crease candidates have a smaller curvature penalty than this.
-const MOST_PENALTY: f64 = 0.75;
-/// Sine of half the fold from which on one face hides the other, and an opening is none: 108 degrees.
-const ACUTE: f64 = 0.809;
-/// Evidence at which a single point is known to lie on a round, whatever the rest of its chain says.
-pub(crate) const CLEARLY_SMOOTH: f32 = -4.0;
+const CANDIDATE_PENALTY: f64 = 0.75;
 
-/// What every point needs to know.
-pub(crate) struct Context<'a> {
-    pub(crate) points: &'a [[f64; 3]],
-    pub(crate) graph: &'a Neighbors,
-    pub(crate) normals: Normals,
-    pub(crate) resolution: Resolution,
-    pub(crate) hops: usize,
-    /// Sine of half the fold at which a crease becomes one.
-    pub(crate) least_fold: f64,
-}
-
-/// The surface around a point: the correlation tensor of its normals, what pulls the point on to their planes, and the two sides
-/// that were looked at where there are more.
-pub(crate) struct Sides {
-    pub(crate) tensor: Eigen3,
-    pub(crate) pull: [f64; 3],
-    pub(crate) pair: Option<Pair>,
-}
-
-/// What a block of points yields: a row each, and the candidates among them.
+/// What a block of points yields: a score each, and the candidates among them.
 #[derive(Default)]
 struct Block {
-    density: Vec<f32>,
     score: Vec<f32>,
     crease: Vec<(u32, Row)>,
     border: Vec<(u32, Row)>,
@@ -83,142 +57,86 @@ pub fn penalties(
     params: &PenaltyParams,
     derived: Derived,
 ) -> Measure {
-    let context = Context {
-        points,
-        graph,
-        normals: normals(points, graph, derived.hops, resolution),
-        resolution,
-        hops: derived.hops,
-        least_fold: (0.5 * params.fold_deg.to_radians()).sin(),
-    };
-    let blocks: Vec<Block> = (0..points.len().div_ceil(BLOCK))
-        .into_par_iter()
-        .map_init(Buffers::default, |buffers, b| {
-            let mut block = Block::default();
-            for i in b * BLOCK..((b + 1) * BLOCK).min(points.len()) {
-                context.point(i, buffers, &mut block);
-            }
-            block
-        })
-        .collect();
+    let normals = normals(points, graph, derived.hops, resolution);
+    let surroundings = Surroundings::new(points, graph, normals, resolution, derived.hops, params.fold_deg);
     let mut measure = Measure {
-        crease: Penalties { share: derived.alpha, direction: Direction::Across, ..Default::default() },
-        border: Penalties { share: params.gamma, direction: Direction::Across, ..Default::default() },
+        density: densities(points, graph),
+        crease: Penalties::new(derived.alpha, Direction::Across),
+        border: Penalties::new(params.gamma, Direction::Across),
         ..Default::default()
     };
-    for block in blocks {
-        measure.density.extend(block.density);
+    for block in blocks(points.len(), |i, buffers, block| point(&surroundings, i, buffers, block)) {
         measure.score.extend(block.score);
         block.crease.into_iter().for_each(|(i, row)| measure.crease.push(i, row));
         block.border.into_iter().for_each(|(i, row)| measure.border.push(i, row));
     }
-    // Feet scatter with the noise, and a band of them is as wide; the row of points behind a border is ragged without any.
-    let (unit, blur) = (resolution.unit(), (4.0 * resolution.noise).min(2.0 * resolution.unit()));
-    align(graph, &mut measure.crease, derived.hops.max(2), blur, blur);
-    align(graph, &mut measure.border, 2, 2.0 * unit, 2.0 * unit);
-    measure.normal = context.normals.vectors;
+    align_creases(graph, &mut measure.crease, resolution, derived.hops);
+    align_borders(graph, &mut measure.border, resolution);
+    measure.normal = surroundings.normals.vectors;
     measure
 }
 
-impl Context<'_> {
-    fn point(&self, i: usize, buffers: &mut Buffers, block: &mut Block) {
-        let Buffers { scratch, angles, section } = buffers;
-        let near = inner(self.graph, i, self.hops, scratch);
-        let sides = self.sides(i, near);
-        let fold = sides.tensor.values[1].max(0.0).sqrt();
-        let penalty = 1.0 - fold / (2.0 * self.least_fold);
-        let folded = penalty < MOST_PENALTY;
-        let open = fold < ACUTE && may_be_border(self.points, i, self.graph.of(i));
-        block.density.push(density(self.points, self.graph, i) as f32);
-        block.score.push((fold / (2.0 * self.least_fold)).min(1.0) as f32);
-        if !folded && !open {
+/// The border penalties of the same form alone.
+pub fn borders(
+    points: &[[f64; 3]],
+    graph: &Neighbors,
+    resolution: Resolution,
+    params: &PenaltyParams,
+    derived: Derived,
+) -> Penalties {
+    let normals = normals(points, graph, derived.hops, resolution);
+    let surroundings = Surroundings::new(points, graph, normals, resolution, derived.hops, params.fold_deg);
+    let mut penalties = Penalties::new(params.gamma, Direction::Across);
+    let only_border = |i: usize, buffers: &mut Buffers, block: &mut Block| {
+        if !may_be_border(points, i, graph.of(i)) {
             return;
         }
-        let wide = self.graph.hops(i, self.hops.max(2), scratch);
-        if folded {
-            let row = self.crease(i, &sides, penalty.max(0.0), wide, section);
-            if row.evidence > CLEARLY_SMOOTH {
-                block.crease.push((i as u32, row));
-            }
+        let sides = Sides::around(&surroundings, i, inner(graph, i, derived.hops, &mut buffers.scratch));
+        if sides.fold() < HIDING_FOLD {
+            let wide = graph.hops(i, derived.hops.max(2), &mut buffers.scratch);
+            let row = border(points, i, wide, resolution, &mut buffers.angles);
+            block.border.extend(row.map(|row| (i as u32, row)));
         }
-        if open && let Some(row) = border(self.points, i, wide, self.resolution, angles) {
-            block.border.push((i as u32, row));
-        }
+    };
+    for block in blocks(points.len(), only_border) {
+        block.border.into_iter().for_each(|(i, row)| penalties.push(i, row));
     }
-
-    /// The tensor of all neighbours, or where these have more than two sides that of two of them.
-    pub(crate) fn sides(&self, i: usize, near: &[u32]) -> Sides {
-        let (tensor, pull) = self.normal_tensor(i, near);
-        let [least, middle, _] = tensor.values.map(|x| x.max(0.0));
-        let folded = middle.sqrt() > 2.0 * self.least_fold * (1.0 - MOST_PENALTY);
-        if !folded || least.sqrt() > self.least_fold {
-            return Sides { tensor, pull, pair: None };
-        }
-        let foot = add(self.points[i], shift(&tensor, pull, 1));
-        let Some(pair) = pair(self, i, near, foot) else { return Sides { tensor, pull, pair: None } };
-        let holds =
-            |&&j: &&u32| pair.holds(self.points[j as usize], self.normals.vectors[j as usize].map(f64::from));
-        let some: Vec<u32> = near.iter().filter(holds).copied().collect();
-        let (tensor, pull) = self.normal_tensor(i, &some);
-        Sides { tensor, pull, pair: Some(pair) }
-    }
-
-    /// Correlation tensor of the normals around point `i`, and `sum w n (n . (q - p))`, both over the sum of weights.
-    pub(crate) fn normal_tensor(&self, i: usize, near: &[u32]) -> (Eigen3, [f64; 3]) {
-        let (mut tensor, mut pull, mut total) = ([0.0; 6], [0.0; 3], 0.0);
-        for j in near.iter().map(|&j| j as usize).chain([i]) {
-            let normal = self.normals.vectors[j].map(f64::from);
-            let weight = f64::from(self.normals.support[j]);
-            let offset = dot(normal, sub(self.points[j], self.points[i]));
-            add_product(&mut tensor, normal, weight);
-            pull = add_scaled(pull, normal, weight * offset);
-            total += weight;
-        }
-        let inverse = if total > 0.0 { 1.0 / total } else { 0.0 };
-        (eigen3(&tensor.map(|x| x * inverse)), scale(pull, inverse))
-    }
-
-    pub(crate) fn crease(
-        &self,
-        i: usize,
-        sides: &Sides,
-        penalty: f64,
-        wide: &[u32],
-        section: &mut CrossSection,
-    ) -> Row {
-        let Sides { tensor, pull, pair } = sides;
-        let [least, middle, _] = tensor.values.map(|x| x.max(0.0));
-        let corner = least.sqrt() > self.least_fold;
-        let shift = shift(tensor, *pull, if corner { 0 } else { 1 });
-        let reach = 2.0 * self.resolution.unit() + 2.0 * self.resolution.noise;
-        let foot = if norm(shift) <= reach { add(self.points[i], shift) } else { self.points[i] };
-        let certainty = if middle > 0.0 { 1.0 - (least / middle).sqrt() } else { 0.0 };
-        // At a corner there is no one cross-section: that says nothing.
-        let sharp = if corner {
-            Fold::default()
-        } else {
-            let seen = |&j: &usize| {
-                pair.is_none_or(|s| s.holds(self.points[j], self.normals.vectors[j].map(f64::from)))
-            };
-            let near = wide.iter().map(|&j| j as usize).filter(seen).chain([i]).map(|j| self.points[j]);
-            sharpness(near, tensor, foot, self.resolution, section)
-        };
-        Row {
-            scalar: penalty as f32,
-            vector: scale(tensor.vectors[0], certainty).map(|x| x as f32),
-            corner: (1.0 - (least.sqrt() / self.least_fold).min(1.0)) as f32,
-            foot,
-            evidence: sharp.evidence as f32,
-            expected: sharp.expected as f32,
-            fold: sharp.angle.abs() as f32,
-        }
-    }
+    align_borders(graph, &mut penalties, resolution);
+    penalties
 }
 
-/// From a point to the place nearest to all tangent planes, along the axes of the tensor from `first` on.
-fn shift(tensor: &Eigen3, pull: [f64; 3], first: usize) -> [f64; 3] {
-    (first..3).fold([0.0; 3], |shift, k| {
-        let along = dot(tensor.vectors[k], pull) / tensor.values[k].max(1e-12);
-        add_scaled(shift, tensor.vectors[k], along)
-    })
+/// Calls `of` with every point, block by block, in parallel.
+fn blocks(count: usize, of: impl Fn(usize, &mut Buffers, &mut Block) + Sync) -> Vec<Block> {
+    (0..count.div_ceil(BLOCK))
+        .into_par_iter()
+        .map_init(Buffers::default, |buffers, b| {
+            let mut block = Block::default();
+            (b * BLOCK..((b + 1) * BLOCK).min(count)).for_each(|i| of(i, buffers, &mut block));
+            block
+        })
+        .collect()
+}
+
+/// The score of a point, and its rows if it is a candidate.
+fn point(surroundings: &Surroundings, i: usize, buffers: &mut Buffers, block: &mut Block) {
+    let Surroundings { points, graph, resolution, hops, least_fold, .. } = surroundings;
+    let Buffers { scratch, angles, section } = buffers;
+    let sides = Sides::around(surroundings, i, inner(graph, i, *hops, scratch));
+    let fold = sides.fold();
+    let penalty = 1.0 - fold / (2.0 * least_fold);
+    let folded = penalty < CANDIDATE_PENALTY;
+    let open = fold < HIDING_FOLD && may_be_border(points, i, graph.of(i));
+    block.score.push((fold / (2.0 * least_fold)).min(1.0) as f32);
+    if !folded && !open {
+        return;
+    }
+    let wide = graph.hops(i, (*hops).max(2), scratch);
+    if folded {
+        let row = crease(surroundings, i, &sides, penalty.max(0.0), wide, section);
+        block.crease.extend(row.map(|row| (i as u32, row)));
+    }
+    if open {
+        let row = border(points, i, wide, *resolution, angles);
+        block.border.extend(row.map(|row| (i as u32, row)));
+    }
 }

@@ -12,14 +12,15 @@
 //! A border stands in its own plane and has no projected distance: Tran's method marks none. Border lines are those of the
 //! robust penalties; they have no part in the marks.
 
-use super::{Projection, project};
-use crate::detect::fold::CrossSection;
-use crate::detect::marks::Marks;
-use crate::detect::normals::normals;
-use crate::detect::penalty::align::align;
-use crate::detect::penalty::border::{border, may_be_border};
-use crate::detect::penalty::robust::{CLEARLY_SMOOTH, Context};
-use crate::detect::penalty::{density, derive};
+use super::{Projection, marks::Marks, project};
+use crate::detect::evidence::align::{NO_DIRECTION, align_borders, align_creases};
+use crate::detect::evidence::border::{HIDING_FOLD, border, may_be_border};
+use crate::detect::evidence::crease::crease;
+use crate::detect::evidence::fold::CrossSection;
+use crate::detect::evidence::normals::normals;
+use crate::detect::evidence::sides::{FOLDED, Sides};
+use crate::detect::evidence::surroundings::Surroundings;
+use crate::detect::penalty::{densities, derive};
 use crate::math::vec3::{dot, norm, sub};
 use crate::measure::{Direction, Measure, Penalties, Row};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
@@ -28,19 +29,11 @@ use crate::resolution::Resolution;
 use rayon::prelude::*;
 
 /// Share of the threshold that makes a point a candidate.
-const LEAST_SCORE: f64 = 0.25;
-/// Share of the fold of a crease, both as sines of the half angle, below which no line is looked for; as in the robust
-/// penalties.
-const LEAST_FOLDED: f64 = 0.5;
-/// Sine of half the fold from which on one face may hide the other: an opening there is no border; as in the robust
-/// penalties.
-const ACUTE: f64 = 0.809;
+const CANDIDATE_SHARE: f64 = 0.25;
 /// Feet are one line up to the lesser and two lines from the greater distance across it, spacings.
 const BAND: (f64, f64) = (0.3, 1.5);
 /// A foot lies across the line rather than along it when its offset is within 45 degrees of across.
 const ACROSS: f64 = std::f64::consts::FRAC_1_SQRT_2;
-/// Certainty of direction below which a point is near a corner and has no across.
-const NO_DIRECTION: f64 = 0.5;
 
 /// The method's measure: marks as classes, and as candidates the ridges of the marked bands. `points` in canonical order,
 /// local frame; `graph` is the Riemannian graph.
@@ -49,63 +42,49 @@ pub fn measure(points: &[[f64; 3]], graph: &Neighbors, resolution: Resolution, p
     let derived = derive(&params.penalty, resolution);
     let mut faces = normals(points, graph, derived.hops, resolution);
     faces.support = marks.score.iter().map(|s| (1.0 - s).powi(2)).collect();
-    let context = Context {
-        points,
-        graph,
-        normals: faces,
-        resolution,
-        hops: derived.hops,
-        least_fold: (0.5 * params.penalty.fold_deg.to_radians()).sin(),
-    };
-    let rows = rows(&context, &marks);
+    let surroundings =
+        Surroundings::new(points, graph, faces, resolution, derived.hops, params.penalty.fold_deg);
+    let rows = rows(&surroundings, &marks);
     let folds: Vec<(u32, Row)> = rows.iter().filter_map(|r| Some((r.0, r.1?))).collect();
-    let mut crease = Penalties { share: derived.alpha, direction: Direction::Across, ..Default::default() };
+    let mut crease = Penalties::new(derived.alpha, Direction::Across);
     for fold in folds.iter().filter(|fold| is_ridge(graph, resolution, &marks, &folds, fold)) {
         crease.push(fold.0, fold.1);
     }
-    // As in the robust penalties: feet scatter with the noise, and a band of them is as wide.
-    let (unit, blur) = (resolution.unit(), (4.0 * resolution.noise).min(2.0 * resolution.unit()));
-    align(graph, &mut crease, derived.hops.max(2), blur, blur);
-    let mut border =
-        Penalties { share: params.penalty.gamma, direction: Direction::Across, ..Default::default() };
+    align_creases(graph, &mut crease, resolution, derived.hops);
+    let mut border = Penalties::new(params.penalty.gamma, Direction::Across);
     rows.iter().filter_map(|r| Some((r.0, r.2?))).for_each(|(i, row)| border.push(i, row));
-    align(graph, &mut border, 2, 2.0 * unit, 2.0 * unit);
-    Measure {
-        density: (0..points.len()).into_par_iter().map(|i| density(points, graph, i) as f32).collect(),
-        class: marks.classes(),
-        score: marks.score,
-        normal,
-        crease,
-        border,
-    }
+    align_borders(graph, &mut border, resolution);
+    let class = marks.classes();
+    Measure { density: densities(points, graph), class, score: marks.score, normal, crease, border }
 }
 
 /// A point that may lie on a crease, on a border, or on either.
 type Candidate = (u32, Option<Row>, Option<Row>);
 
 /// The candidates of creases where the surface folds, and those of borders, ascending, with their penalties.
-fn rows(context: &Context, marks: &Marks) -> Vec<Candidate> {
+fn rows(surroundings: &Surroundings, marks: &Marks) -> Vec<Candidate> {
+    let Surroundings { points, graph, resolution, hops, least_fold, .. } = surroundings;
+    let hops = (*hops).max(2);
     let row = |(scratch, section, angles): &mut (Scratch, CrossSection, Vec<f64>), i| {
-        let wide = context.graph.hops(i, context.hops.max(2), scratch);
-        let border = may_be_border(context.points, i, context.graph.of(i))
-            .then(|| border(context.points, i, wide, context.resolution, angles))
+        let wide = graph.hops(i, hops, scratch);
+        let border = may_be_border(points, i, graph.of(i))
+            .then(|| border(points, i, wide, *resolution, angles))
             .flatten();
         let score = f64::from(marks.score[i]);
-        let is_crease = score > LEAST_SCORE * marks.threshold;
+        let is_crease = score > CANDIDATE_SHARE * marks.threshold;
         if !is_crease && border.is_none() {
             return None;
         }
-        let near = context.graph.hops(i, context.hops.max(2) - 1, scratch);
-        let sides = context.sides(i, near);
-        let fold = sides.tensor.values[1].max(0.0).sqrt();
-        let wide = context.graph.hops(i, context.hops.max(2), scratch);
+        let sides = Sides::around(surroundings, i, graph.hops(i, hops - 1, scratch));
+        let fold = sides.fold();
+        let wide = graph.hops(i, hops, scratch);
         let penalty = marks.threshold / (score + marks.threshold);
-        let crease = (is_crease && fold > LEAST_FOLDED * context.least_fold)
-            .then(|| context.crease(i, &sides, penalty, wide, section))
-            .filter(|row| row.evidence > CLEARLY_SMOOTH);
-        Some((i as u32, crease, border.filter(|_| fold < ACUTE)))
+        let crease = (is_crease && fold > FOLDED * least_fold)
+            .then(|| crease(surroundings, i, &sides, penalty, wide, section))
+            .flatten();
+        Some((i as u32, crease, border.filter(|_| fold < HIDING_FOLD)))
     };
-    let every = (0..context.points.len()).into_par_iter().with_min_len(1024);
+    let every = (0..points.len()).into_par_iter().with_min_len(1024);
     every.map_init(Default::default, row).collect::<Vec<Option<Candidate>>>().into_iter().flatten().collect()
 }
 
@@ -125,7 +104,7 @@ fn is_ridge(
     }
     let score = |i: u32| marks.score[i as usize];
     let higher = |j: u32| score(j) > score(*own) || (score(j) == score(*own) && j < *own);
-    let sharpness = |row: &Row| row.evidence / row.expected.max(f32::MIN_POSITIVE);
+    let sharpness = |row: &Row| row.evidence.map_or(0.0, |e| e.sharp / e.expected.max(f32::MIN_POSITIVE));
     let band = BAND.0 * resolution.unit()..BAND.1 * resolution.unit();
     let beside = |other: &Row| {
         let offset = sub(other.foot, row.foot);

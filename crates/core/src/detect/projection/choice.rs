@@ -17,7 +17,7 @@ use crate::resolution::Resolution;
 /// Index of the scale 16, taken where neither a jump nor noise is seen.
 const STANDARD: usize = 2;
 /// Index of the least scale that a jump can choose.
-const LEAST: usize = 1;
+const FIRST_CHOICE: usize = 1;
 /// Noise, in spacings, that takes one scale more.
 const NOISE_STEP: f64 = 0.05;
 /// Share of the spacing below which a projected distance is as good as none.
@@ -25,12 +25,12 @@ const FLOOR_SPACINGS: f64 = 0.01;
 /// Standard deviations of the noise below which it is noise: the point's own is all in the distance.
 const FLOOR_NOISE: f64 = 2.0;
 /// Spacings above which the floor does not rise, whatever the noise: edges have no more than this or little more.
-const MOST_FLOOR: f64 = 0.5;
+const FLOOR_LIMIT: f64 = 0.5;
 
 /// The floor as given, or what suits spacing and noise; local frame.
 pub fn floor(resolution: Resolution, params: &ProjectionParams) -> f64 {
     let noise = resolution.noise / resolution.spacing;
-    let derived = (FLOOR_SPACINGS + FLOOR_NOISE * noise).min(MOST_FLOOR);
+    let derived = (FLOOR_SPACINGS + FLOOR_NOISE * noise).min(FLOOR_LIMIT);
     params.floor_spacings.or(|| derived) * resolution.spacing
 }
 
@@ -43,7 +43,7 @@ pub fn standard(resolution: Resolution) -> usize {
 /// Index into [`SCALES`] of the best scale: the one before the first rise by more than a factor of `jump`, else `standard`.
 pub fn best_scale(scales: &[AtScale; 7], floor: f64, jump: f64, standard: usize) -> usize {
     let at_least = |k: usize| scales[k].distance.max(floor);
-    let peak = (LEAST..SCALES.len() - 1).find(|&k| at_least(k + 1) > jump * at_least(k));
+    let peak = (FIRST_CHOICE..SCALES.len() - 1).find(|&k| at_least(k + 1) > jump * at_least(k));
     peak.unwrap_or(standard)
 }
 

@@ -4,7 +4,7 @@
 //! those of the scale before and of four more points: all seven cost what the greatest costs, and no list is stored.
 
 use crate::math::least_axis::least_axis;
-use crate::math::tensor::add_product;
+use crate::math::tensor::{add_product, centred};
 use crate::math::vec3::{dot, norm, sub};
 use crate::neighbors::nearest_blocks;
 
@@ -52,14 +52,12 @@ fn scales(points: &[[f64; 3]], own: usize, nearest: &[u32]) -> [AtScale; 7] {
             radius = norm(d);
         }
         taken = upto;
-        let count = (upto + 1) as f64;
-        let centre = sum.map(|s| s / count);
-        let mut tensor = products.map(|p| p / count);
-        add_product(&mut tensor, centre, -1.0);
+        let (centre, tensor) = centred(sum, products, (upto + 1) as f64);
         let trace = tensor[0] + tensor[3] + tensor[5];
         let (least, normal) = least_axis(&tensor);
         let variation = if trace > 0.0 { least / trace } else { 0.0 };
-        AtScale { distance: dot(centre, normal).abs(), radius, variation, normal }
+        let distance = dot(centre, normal).abs(); // equation 1
+        AtScale { distance, radius, variation, normal }
     })
 }
 

@@ -1,6 +1,6 @@
 //! Small clusters given to the large ones beside them (robust form; not in Demarsin et al. 2007).
 
-use super::Segmentation;
+use super::segmentation::Segmentation;
 use crate::math::vec3::{dot, sub};
 use crate::neighbors::Neighbors;
 use rayon::prelude::*;

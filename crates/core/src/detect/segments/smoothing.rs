@@ -5,13 +5,13 @@
 //! `k` points, every point moves to the least-squares plane of its neighbours, normals are taken from rings of one more edge,
 //! and the segmentation is made again; up to three times.
 
-use super::Segmentation;
+use super::segmentation::Segmentation;
 use crate::math::tensor::ellipsoid;
 use crate::math::vec3::{add_scaled, dot, sub};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use rayon::prelude::*;
 
-/// Most rounds of smoothing.
+/// Rounds of smoothing at the most.
 pub const ROUNDS: usize = 3;
 /// Share of the points that must lie in faces.
 const IN_FACES: f64 = 0.5;

@@ -1,16 +1,12 @@
 //! `G_pruned_branches` (Demarsin et al. 2007, section 2.6, Algorithm 2).
 
-use crate::link::Reach;
-use crate::link::prune::remove_branch;
-use crate::link::walk::Walker;
+use crate::link::spanning::{Metric, Walker, remove_branch};
 use crate::pattern::LineGraph;
-use crate::resolution::Resolution;
 
 /// Algorithm 2 as printed, with depths in edges: at a vertex with two or more long branches all short ones go; with exactly
 /// one, all short ones but the deepest; with none, nothing.
-pub fn prune_branches(lines: &mut LineGraph, resolution: Resolution, depth: usize) {
-    let reach = Reach { rho: 2.0 * depth as f64, in_edges: true, openness: 0.0, border_hops: 1 };
-    let mut walker = Walker::new(lines.edges.len(), resolution, reach);
+pub fn prune_branches(lines: &mut LineGraph, depth: usize) {
+    let mut walker = Walker::new(lines.edges.len(), Metric::Edges);
     for v in 0..lines.edges.len() as u32 {
         if lines.edges[v as usize].len() <= 2 {
             continue;

@@ -1,34 +1,28 @@
 //! The connect algorithm (Demarsin et al. 2007, section 2.7).
 
-use crate::link::Reach;
-use crate::link::walk::Walker;
-use crate::math::vec3::distance;
+use crate::link::spanning::{Metric, Walker};
 use crate::neighbors::{Index, all_nearest};
 use crate::pattern::LineGraph;
-use crate::resolution::Resolution;
 
 /// Bounds of `n` where it follows from the graph.
-const NEIGHBORS: [usize; 2] = [6, 32];
+const N_BOUNDS: [usize; 2] = [6, 32];
 
 /// A cycle over a link is small if the rest of it is no longer than this many gaps and spacings (robust form).
 const SMALL_CYCLE: (f64, f64) = (2.0, 4.0);
 
-/// A gap is closed if the strip up to it is longer than this many gaps and spacings more.
-const LEAD: f64 = 1.5;
-/// See [`LEAD`].
-const LEAST_STRIP: f64 = 4.0;
+/// A gap is closed if the strip up to it is longer than this many gaps and spacings (robust form).
+const LEAD: (f64, f64) = (1.5, 4.0);
 
 /// Links each endpoint: to the closest endpoint among its `n` nearest vertices (case 1), or, where there is none, to the
 /// closest vertex with more than one edge (case 2), if no path of up to `d` edges joins them already.
 ///
 /// A path shorter than `d` is looked for from the shortest on, which finds one exactly if the paper's depth-first search of
 /// restricted depth does.
-pub fn connect(lines: &mut LineGraph, resolution: Resolution, n: usize, d: usize) {
+pub fn connect(lines: &mut LineGraph, n: usize, d: usize) {
     let members: Vec<u32> = (0..lines.edges.len() as u32).filter(|&v| degree(lines, v) > 0).collect();
     let positions: Vec<[f64; 3]> = members.iter().map(|&v| lines.positions[v as usize]).collect();
     let nearest = all_nearest(&positions, n);
-    let reach = Reach { rho: d as f64, in_edges: true, openness: 0.0, border_hops: 1 };
-    let mut walker = Walker::new(lines.edges.len(), resolution, reach);
+    let mut walker = Walker::new(lines.edges.len(), Metric::Edges);
     for (i, &end) in members.iter().enumerate() {
         if degree(lines, end) != 1 {
             continue;
@@ -58,7 +52,7 @@ pub fn connect_within(lines: &mut LineGraph, reach: f64, walker: &mut Walker, sp
     let mut found = Vec::new();
     let mut links: Vec<(bool, f64, u32, u32)> = Vec::new();
     for &end in members.iter().filter(|&&v| degree(lines, v) == 1) {
-        let reach = reach.min((strip_length(lines, end) - LEAST_STRIP * spacing) / LEAD);
+        let reach = reach.min((lines.strip_length(end) - LEAD.1 * spacing) / LEAD.0);
         if reach <= 0.0 {
             continue;
         }
@@ -81,29 +75,13 @@ pub fn connect_within(lines: &mut LineGraph, reach: f64, walker: &mut Walker, sp
     }
 }
 
-/// Length from an endpoint to the next vertex that is not within a strip.
-pub fn strip_length(lines: &LineGraph, end: u32) -> f64 {
-    let (mut before, mut at) = (end, lines.edges[end as usize][0]);
-    let step = |a: u32, b: u32| distance(lines.positions[a as usize], lines.positions[b as usize]);
-    let mut length = step(before, at);
-    while let [a, b] = *lines.edges[at as usize].as_slice() {
-        let next = if a == before { b } else { a };
-        (before, at) = (at, next);
-        length += step(before, at);
-        if at == end {
-            break;
-        }
-    }
-    length
-}
-
 /// `n` from the graph: as many vertices as an endpoint has within `reach`, the longest gap that the segmentation itself has
 /// bridged; the median over the endpoints.
 pub fn neighbors_in_reach(lines: &LineGraph, reach: f64) -> usize {
     let members: Vec<u32> = (0..lines.edges.len() as u32).filter(|&v| degree(lines, v) > 0).collect();
     let positions: Vec<[f64; 3]> = members.iter().map(|&v| lines.positions[v as usize]).collect();
     if positions.is_empty() {
-        return NEIGHBORS[0];
+        return N_BOUNDS[0];
     }
     let index = Index::build(&positions);
     let mut found = Vec::new();
@@ -116,7 +94,7 @@ pub fn neighbors_in_reach(lines: &LineGraph, reach: f64) -> usize {
         })
         .collect();
     counts.sort_unstable();
-    counts.get(counts.len() / 2).copied().unwrap_or(NEIGHBORS[0]).clamp(NEIGHBORS[0], NEIGHBORS[1])
+    counts.get(counts.len() / 2).copied().unwrap_or(N_BOUNDS[0]).clamp(N_BOUNDS[0], N_BOUNDS[1])
 }
 
 fn degree(lines: &LineGraph, v: u32) -> usize {

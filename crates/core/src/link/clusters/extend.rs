@@ -1,6 +1,6 @@
 //! `G_extended` (Demarsin et al. 2007, section 2.4): gaps between small clusters on one sharp edge are closed.
 
-use super::Clusters;
+use super::graph::Clusters;
 use crate::math::vec3::distance;
 use crate::neighbors::Index;
 

@@ -1,8 +1,6 @@
 //! `G_pruned_mst` (Demarsin et al. 2007, section 2.5): the minimum spanning tree without its edges to large clusters.
 
-use crate::link::spanning::closes_long;
-use crate::link::walk::Walker;
-use crate::link::{Candidate, Reach};
+use crate::link::spanning::{Candidate, CycleRule, Walker, closes_long, sort};
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::distance;
 use crate::pattern::LineGraph;
@@ -21,24 +19,19 @@ pub fn by_length(lines: &LineGraph) -> Vec<Candidate> {
     edges
 }
 
-/// Ascending weights, ties by index.
-pub fn sort(edges: &mut [Candidate]) {
-    edges.sort_unstable_by(|x, y| x.weight.total_cmp(&y.weight).then((x.a, x.b).cmp(&(y.a, y.b))));
-}
-
 /// The minimum spanning forest over `edges` in their order.
 ///
 /// With `keep`, an edge that closes a long and open cycle stays (Gumhold 2001, section 3.2): the tree of the paper cuts each
 /// loop anywhere, and what it cuts close to a junction is pruned before it can be closed again.
-pub fn forest(lines: &LineGraph, edges: &[Candidate], keep: Option<(Resolution, Reach)>) -> LineGraph {
+pub fn forest(lines: &LineGraph, edges: &[Candidate], keep: Option<(Resolution, CycleRule)>) -> LineGraph {
     let mut tree = LineGraph { edges: vec![Vec::new(); lines.edges.len()], ..lines.clone() };
     let mut sets = UnionFind::new(lines.edges.len());
-    let mut walker = keep.map(|(resolution, reach)| Walker::new(lines.edges.len(), resolution, reach));
+    let mut walker = keep.map(|(_, rule)| Walker::new(lines.edges.len(), rule.metric));
     for edge in edges {
         let wanted = sets.union(edge.a, edge.b)
             || match (&keep, &mut walker) {
-                (Some((resolution, reach)), Some(walker)) => {
-                    closes_long(&tree, walker, edge, *resolution, *reach)
+                (Some((resolution, rule)), Some(walker)) => {
+                    closes_long(&tree, walker, edge, *resolution, *rule)
                 }
                 _ => false,
             };

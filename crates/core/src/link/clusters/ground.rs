@@ -3,7 +3,7 @@
 //! A fold that fades, or noise at one place, leaves gaps between the small clusters. The segmentation still knows where the
 //! faces meet. Such places become vertices that only the closing may use.
 
-use super::Clusters;
+use super::graph::Clusters;
 use crate::detect::segments::Segmentation;
 use crate::math::vec3::{add, add_scaled, distance, scale};
 use crate::measure::Penalties;
@@ -12,7 +12,7 @@ use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
 /// Longest edge over weak ground, spacings.
-const EDGE: f64 = 2.5;
+const LONGEST_EDGE: f64 = 2.5;
 
 /// The graph of the clusters with the weak places as further vertices. `cluster_of` gives the cluster of each candidate.
 pub fn ground(
@@ -41,7 +41,7 @@ pub fn ground(
                 continue;
             }
             let apart = distance(all.positions[a as usize], all.positions[b as usize]);
-            if apart <= EDGE * resolution.spacing {
+            if apart <= LONGEST_EDGE * resolution.spacing {
                 all.add_edge(a, b);
             }
         }

@@ -4,19 +4,18 @@
 //! of the penalties are used, each at its foot on the line, and those within a fraction of a spacing are one cluster, at the
 //! foot of the best of them: a row of vertices along the line instead of a band.
 
-use super::Clusters;
+use super::graph::Clusters;
 use crate::detect::segments::Segmentation;
-use crate::link::Candidate;
+use crate::link::spanning::Candidate;
 use crate::math::vec3::distance;
-use crate::measure::Penalties;
+use crate::measure::{Evidence, Penalties};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
-use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
 /// Feet this near to that of the cluster's first candidate, in spacings, belong to it.
 const TOGETHER: f64 = 0.3;
 /// Longest edge of `G_all` between feet, spacings.
-const EDGE: f64 = 3.0;
+const LONGEST_EDGE: f64 = 3.0;
 
 /// Groups the candidates, the least penalty first, and joins groups by `edges` between their candidates. Also gives the
 /// cluster of each candidate.
@@ -40,7 +39,7 @@ pub fn group(
         let (a, b) = (of_candidate[edge.a as usize], of_candidate[edge.b as usize]);
         let positions = &clusters.lines.positions;
         let apart = distance(positions[a as usize], positions[b as usize]) / resolution.spacing;
-        if a != b && apart <= EDGE {
+        if a != b && apart <= LONGEST_EDGE {
             clusters.lines.add_edge(a, b);
             clusters.weights.push(Candidate { weight: edge.weight, a: a.min(b), b: a.max(b) });
         }
@@ -84,20 +83,15 @@ fn push(
     segments: &Segmentation,
     members: &[u32],
 ) {
-    let share = 1.0 / members.len() as f64;
-    let sum = |values: &[f32]| members.iter().map(|&c| f64::from(values[c as usize])).sum::<f64>();
-    let mean = |values: &[f32]| sum(values) * share;
-    let LineGraph { points, positions, penalty, corner, evidence, expected, fold, edges, .. } =
-        &mut clusters.lines;
-    points.push(penalties.points[members[0] as usize]);
-    positions.push(penalties.foot[members[0] as usize]);
-    penalty.push(mean(&penalties.scalar) as f32);
-    corner.push(members.iter().map(|&c| penalties.corner[c as usize]).fold(1.0, f32::min));
-    // What each member shows adds up.
-    evidence.push(sum(&penalties.evidence) as f32);
-    expected.push(sum(&penalties.expected) as f32);
-    fold.push(mean(&penalties.fold) as f32);
-    edges.push(Vec::new());
+    let first = members[0] as usize;
+    let lines = &mut clusters.lines;
+    lines.points.push(penalties.points[first]);
+    lines.positions.push(penalties.foot[first]);
+    let sum = members.iter().map(|&c| f64::from(penalties.scalar[c as usize])).sum::<f64>();
+    lines.penalty.push(Some((sum * (1.0 / members.len() as f64)) as f32));
+    lines.corner.push(members.iter().map(|&c| penalties.corner[c as usize]).fold(1.0, f32::min));
+    lines.evidence.push(together(penalties, members));
+    lines.edges.push(Vec::new());
     let mut large: Vec<u32> = members
         .iter()
         .map(|&c| penalties.points[c as usize])
@@ -108,4 +102,18 @@ fn push(
     large.sort_unstable();
     large.dedup();
     clusters.large.push(large);
+}
+
+/// What the members show: evidence adds up, and the fold is their mean. `None` where no cross-section was taken.
+fn together(penalties: &Penalties, members: &[u32]) -> Option<Evidence> {
+    let shown = || members.iter().map(|&c| penalties.evidence[c as usize]);
+    if shown().all(|e| e.is_none()) {
+        return None;
+    }
+    let sum = |of: fn(Evidence) -> f32| shown().map(|e| f64::from(e.map_or(0.0, of))).sum::<f64>();
+    Some(Evidence {
+        sharp: sum(|e| e.sharp) as f32,
+        expected: sum(|e| e.expected) as f32,
+        fold: (sum(|e| e.fold) * (1.0 / members.len() as f64)) as f32,
+    })
 }

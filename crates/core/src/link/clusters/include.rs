@@ -14,8 +14,6 @@ pub fn include(lines: &mut LineGraph, border: &LineGraph) -> usize {
         lines.penalty.push(border.penalty[v]);
         lines.corner.push(border.corner[v]);
         lines.evidence.push(border.evidence[v]);
-        lines.expected.push(border.expected[v]);
-        lines.fold.push(border.fold[v]);
         lines.edges.push(border.edges[v].iter().map(|w| w + own as u32).collect());
     }
     for end in ends {

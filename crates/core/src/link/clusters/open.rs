@@ -1,12 +1,11 @@
 //! Removal of what stays open (Demarsin et al. 2007, section 2.7): in the end no vertex has exactly one edge.
 
-use super::connect::strip_length;
 use crate::pattern::LineGraph;
 
 /// Takes away branches with an open end that are shorter than `least`, in the unit of the positions.
 pub fn remove_short(lines: &mut LineGraph, least: f64) {
     for end in 0..lines.edges.len() as u32 {
-        if lines.edges[end as usize].len() != 1 || strip_length(lines, end) >= least {
+        if lines.edges[end as usize].len() != 1 || lines.strip_length(end) >= least {
             continue;
         }
         let mut at = end;

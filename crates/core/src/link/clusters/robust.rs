@@ -10,23 +10,22 @@
 //! * **Borders** are those of the default method, whose bridges close them: they are put in before the creases are closed,
 //!   and creases end on them.
 
+use super::borders::borders;
 use super::connect::connect_within;
 use super::extend::extend;
-use super::forest::sort;
+use super::forest::forest;
+use super::graph::Clusters;
 use super::ground::{ground, take_vertices};
 use super::group::group;
 use super::include::{include, leave};
-use super::open::{remove_open, remove_short};
-use super::reroute::reroute;
+use super::open::remove_open;
 use super::smooth::smooth;
-use super::{Linked, Recorder, forest};
+use super::stages::{Linked, Recorder};
 use crate::detect::segments::Segmentation;
-use crate::link::walk::Walker;
-use crate::link::{
-    Candidate, Reach, bridge, candidate_edges, corners, dock, judge, lines_of, prune, remove_rungs,
-};
+use crate::link::repair::{bridge, corners, dock, judge, remove_rungs, reroute};
+use crate::link::spanning::{Candidate, CycleRule, Walker, candidate_edges, prune, sort};
 use crate::math::vec3::distance;
-use crate::measure::{Measure, Penalties};
+use crate::measure::Measure;
 use crate::neighbors::Neighbors;
 use crate::network::StripKind;
 use crate::pattern::{LineGraph, Pattern};
@@ -34,96 +33,81 @@ use crate::resolution::Resolution;
 
 /// Gaps between clusters of one pair of faces that are closed at once, spacings.
 const EXTEND: f64 = 2.5;
-/// What an edge of `G_extended` weighs more than one of `G_all`.
+/// Weight that an edge of `G_extended` has more than one of `G_all`.
 const ADDED: f64 = 2.0;
 /// Gaps closed at last by the shortest link whatever its direction, spacings.
 const LAST_LINKS: [f64; 3] = [3.0, 6.0, 10.0];
-/// Open borders shorter than this, spacings, are none.
-const OPEN_BORDER: f64 = 20.0;
 /// Steps of smoothing.
 const SMOOTHING: usize = 2;
+
+/// What all steps look at: points in canonical order, local frame.
+pub(crate) struct Segments<'a> {
+    pub(crate) points: &'a [[f64; 3]],
+    pub(crate) graph: &'a Neighbors,
+    pub(crate) measure: &'a Measure,
+    pub(crate) segments: &'a Segmentation,
+    pub(crate) resolution: Resolution,
+    pub(crate) rule: CycleRule,
+}
+
 /// Closed lines of a measure with candidates of both kinds.
-pub fn link_robust(
-    points: &[[f64; 3]],
-    graph: &Neighbors,
-    measure: &Measure,
-    segments: &Segmentation,
-    resolution: Resolution,
-    reach: Reach,
-) -> Linked {
-    let cloud = Context { points, graph, measure, segments, resolution, reach };
-    let border = border(graph, measure, &measure.border, resolution, reach);
+pub(crate) fn link_robust(cloud: &Segments) -> Linked {
+    let &Segments { graph, measure, resolution, rule, .. } = cloud;
+    let border = borders(graph, measure, resolution, rule);
     let mut recorder = Recorder::new();
-    let pattern = close(&cloud, &measure.crease, border, &mut recorder);
+    let (mut lines, all) = open_lines(cloud, &mut recorder);
+    take_vertices(&mut lines, &all);
+    let mut pattern = Pattern { crease: lines, border };
+    dock(&mut pattern, resolution);
+    close(cloud, &mut pattern, &all, &mut recorder);
+    corners(&mut pattern.crease, StripKind::Crease, resolution);
     Linked { pattern, stages: recorder.stages }
 }
 
-/// The borders of the default method. A short piece that stays open is no end of a surface; of a long one the rest was not found.
-pub fn border(
-    graph: &Neighbors,
-    measure: &Measure,
-    penalties: &Penalties,
-    resolution: Resolution,
-    reach: Reach,
-) -> LineGraph {
-    let mut border = lines_of(graph, measure, penalties, resolution, 1.0, reach, StripKind::Border);
-    remove_short(&mut border, OPEN_BORDER * resolution.unit());
-    border.nodes.retain(|&v| !border.edges[v as usize].is_empty());
-    border
-}
-
-/// What all steps look at.
-struct Context<'a> {
-    points: &'a [[f64; 3]],
-    graph: &'a Neighbors,
-    measure: &'a Measure,
-    segments: &'a Segmentation,
-    resolution: Resolution,
-    reach: Reach,
-}
-
-/// The closed creases, and the borders that they end on.
-fn close(cloud: &Context, penalties: &Penalties, border: LineGraph, recorder: &mut Recorder) -> Pattern {
-    let &Context { points, graph, measure, segments, resolution, reach } = cloud;
-    let (mut clusters, cluster_of) = group(
-        graph,
-        penalties,
-        &candidate_edges(graph, measure, penalties, resolution, 1.0, 1),
-        segments,
-        resolution,
-    );
+/// The lines up to `G_pruned_branches`, and the graph with the weak ground that closing may use.
+fn open_lines(cloud: &Segments, recorder: &mut Recorder) -> (LineGraph, LineGraph) {
+    let &Segments { points, graph, measure, segments, resolution, rule } = cloud;
+    let penalties = &measure.crease;
+    let edges = candidate_edges(graph, &measure.density, penalties, resolution, 1.0, 1);
+    let (mut clusters, cluster_of) = group(graph, penalties, &edges, segments, resolution);
     recorder.whole("G_all", &clusters);
-    for (a, b) in extend(&mut clusters, EXTEND * resolution.spacing) {
+    add_edges(&mut clusters, resolution);
+    recorder.whole("G_extended", &clusters);
+    let mut lines = forest(&clusters.lines, &clusters.weights, Some((resolution, rule)));
+    recorder.lines("G_pruned_mst", &lines);
+    prune(&mut lines, rule);
+    remove_rungs(&mut lines, resolution);
+    judge(&mut lines, resolution, rule);
+    recorder.lines("G_pruned_branches", &lines);
+    let all = ground(&clusters, &cluster_of, points, graph, penalties, segments, resolution);
+    (lines, all)
+}
+
+/// `G_extended`: its new edges weigh more than those of `G_all`, the longer the more.
+fn add_edges(clusters: &mut Clusters, resolution: Resolution) {
+    for (a, b) in extend(clusters, EXTEND * resolution.spacing) {
         let positions = &clusters.lines.positions;
         let length = distance(positions[a as usize], positions[b as usize]) / resolution.spacing;
         clusters.weights.push(Candidate { weight: ADDED + length * length, a, b });
     }
     sort(&mut clusters.weights);
-    recorder.whole("G_extended", &clusters);
-    let mut lines = forest(&clusters.lines, &clusters.weights, Some((resolution, reach)));
-    recorder.lines("G_pruned_mst", &lines);
-    prune(&mut lines, resolution, reach);
-    remove_rungs(&mut lines, resolution);
-    judge(&mut lines, resolution, reach);
-    recorder.lines("G_pruned_branches", &lines);
-    let all = ground(&clusters, &cluster_of, points, graph, penalties, segments, resolution);
-    take_vertices(&mut lines, &all);
-    let mut pattern = Pattern { crease: lines, border };
-    dock(&mut pattern, resolution);
-    let Pattern { crease: mut lines, mut border } = pattern;
-    let own = include(&mut lines, &border);
-    bridge(&mut lines, StripKind::Crease, resolution);
-    reroute(&mut lines, &all, resolution, reach);
-    let mut walker = Walker::new(lines.edges.len(), resolution, reach);
+}
+
+/// `G_closed` and `G_smooth`: creases are closed with the borders that they end on.
+fn close(cloud: &Segments, pattern: &mut Pattern, all: &LineGraph, recorder: &mut Recorder) {
+    let &Segments { resolution, rule, .. } = cloud;
+    let Pattern { crease: lines, border } = pattern;
+    let own = include(lines, border);
+    bridge(lines, StripKind::Crease, resolution);
+    reroute(lines, all, resolution, rule.metric);
+    let mut walker = Walker::new(lines.edges.len(), rule.metric);
     for gap in LAST_LINKS {
-        connect_within(&mut lines, gap * resolution.spacing, &mut walker, resolution.spacing);
+        connect_within(lines, gap * resolution.spacing, &mut walker, resolution.spacing);
     }
-    remove_open(&mut lines);
-    remove_rungs(&mut lines, resolution);
-    recorder.lines("G_closed", &lines);
-    smooth(&mut lines, SMOOTHING);
-    recorder.lines("G_smooth", &lines);
-    leave(&mut lines, &mut border, own);
-    corners(&mut lines, StripKind::Crease, resolution);
-    Pattern { crease: lines, border }
+    remove_open(lines);
+    remove_rungs(lines, resolution);
+    recorder.lines("G_closed", lines);
+    smooth(lines, SMOOTHING);
+    recorder.lines("G_smooth", lines);
+    leave(lines, border, own);
 }

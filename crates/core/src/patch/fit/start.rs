@@ -7,6 +7,7 @@
 use super::Surface;
 use super::surface::height_and_radius;
 use crate::math::eigen3::{Eigen3, eigen3};
+use crate::math::tensor::scatter;
 use crate::math::vec3::{add, add_scaled, cross, dot, norm, perpendicular, scale, sub, unit};
 
 /// A guess of each surface that points and normals allow.
@@ -46,12 +47,7 @@ fn mean(points: &[[f64; 3]]) -> [f64; 3] {
 
 /// Eigensystem of the sum of the squares of vectors.
 fn tensor(vectors: impl Iterator<Item = [f64; 3]>) -> Eigen3 {
-    let mut m = [0.0; 6];
-    for v in vectors {
-        let entries = [v[0] * v[0], v[0] * v[1], v[0] * v[2], v[1] * v[1], v[1] * v[2], v[2] * v[2]];
-        m.iter_mut().zip(entries).for_each(|(m, x)| *m += x);
-    }
-    eigen3(&m)
+    eigen3(&scatter(vectors))
 }
 
 /// Solves `sum (v v^t) x = sum (v b)` in the directions that the vectors span.

@@ -1,7 +1,7 @@
 //! What every test of a result needs: the extraction, checked.
 
 use lineament::shapes::Sampled;
-use lineament::{Cloud, Error, Extraction, Params, check, extract};
+use lineament::{Cloud, Error, Extraction, Params, check, evaluate, extract};
 
 /// The extraction with the defaults, all invariants of its network stated.
 #[track_caller]
@@ -20,8 +20,8 @@ pub fn checked(cloud: &Cloud, params: &Params) -> Result<Extraction, Error> {
 
 /// The score of what is found in a scan.
 #[track_caller]
-pub fn scored(scan: &Sampled) -> check::Score {
-    check::against(&found(&scan.cloud).network, &scan.truth, scan.spacing)
+pub fn scored(scan: &Sampled) -> evaluate::Score {
+    evaluate::against(&found(&scan.cloud).network, &scan.truth, scan.spacing)
 }
 
 /// A cloud of these points.

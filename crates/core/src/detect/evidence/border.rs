@@ -4,7 +4,7 @@
 //! The direction of the border is at right angles to the middle of the opening, which holds at short borders where the
 //! ellipsoid (equation 7) shows none.
 
-use crate::detect::open_angle::{chance_opening, open_angle};
+use super::open_angle::{chance_opening, open_angle};
 use crate::math::tensor::ellipsoid;
 use crate::math::vec3::{add_scaled, cross, dot, norm, sub};
 use crate::measure::Row;
@@ -13,11 +13,13 @@ use std::f64::consts::{PI, TAU};
 
 /// Chance that a point within the surface shows its open angle by accident.
 const CHANCE: f64 = 1e-3;
-/// Least distance of the direct neighbours' centre from the point, in their mean distance: half a disc has its centre at two
-/// thirds, a whole one at its own point, give or take chance. What lies below is no border, and most points do.
-const LEAST_LEAN: f64 = 0.3;
+/// Least distance of the direct neighbours' centre from a point of a border, in their mean distance: half a disc has its
+/// centre at two thirds, a whole one at its own point, give or take chance. Most points lie below.
+const BORDER_LEAN: f64 = 0.3;
+/// Sine of half the fold from which on one face hides the other, and an opening is no border: 108 degrees.
+pub(crate) const HIDING_FOLD: f64 = 0.809;
 /// Openings wider than this leave less than half of a plane: the border turns.
-const TURN: f64 = 1.2 * PI;
+const TURNING_OPENING: f64 = 1.2 * PI;
 
 /// Whether the direct neighbours lie to one side: a cheap test that spares most points the open angle.
 pub fn may_be_border(points: &[[f64; 3]], i: usize, near: &[u32]) -> bool {
@@ -25,7 +27,7 @@ pub fn may_be_border(points: &[[f64; 3]], i: usize, near: &[u32]) -> bool {
         let d = sub(points[j as usize], points[i]);
         (add_scaled(sum, d, 1.0), total + norm(d))
     });
-    norm(sum) >= LEAST_LEAN * distances
+    norm(sum) >= BORDER_LEAN * distances
 }
 
 /// The border penalties of point `i` with neighbourhood `wide`; `None` if it cannot lie on a border.
@@ -46,11 +48,9 @@ pub fn border(
     Some(Row {
         scalar: (1.0 - opening.angle / TAU) as f32,
         vector: along.map(|x| x as f32),
-        corner: if opening.angle > TURN { 0.5 } else { 1.0 },
+        corner: if opening.angle > TURNING_OPENING { 0.5 } else { 1.0 },
         foot: add_scaled(points[i], opening.middle, outward),
-        evidence: 0.0,
-        expected: 0.0,
-        fold: 0.0,
+        evidence: None,
     })
 }
 

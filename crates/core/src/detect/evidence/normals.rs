@@ -4,7 +4,7 @@
 //! separate them: each normal becomes the mean of the neighbouring ones that agree with it in angle and whose points lie
 //! in its plane. This departs from the paper, whose penalties have no need of normals; the robust form has.
 
-use super::consensus::{FAR, bell, consensus_normals, tolerance};
+use super::consensus::{NEGLIGIBLE, bell, consensus_normals, tolerance};
 use crate::math::vec3::{add_scaled, dot, sub, unit};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::resolution::Resolution;
@@ -35,7 +35,7 @@ pub fn normals(points: &[[f64; 3]], graph: &Neighbors, hops: usize, resolution: 
 }
 
 /// The nearer part of a neighbourhood of graph distance `hops`: one less, but the direct neighbours at least.
-pub(super) fn inner<'a>(graph: &'a Neighbors, i: usize, hops: usize, scratch: &'a mut Scratch) -> &'a [u32] {
+pub(crate) fn inner<'a>(graph: &'a Neighbors, i: usize, hops: usize, scratch: &'a mut Scratch) -> &'a [u32] {
     if hops <= 2 { graph.of(i) } else { graph.hops(i, hops - 1, scratch) }
 }
 
@@ -52,7 +52,7 @@ fn pass(points: &[[f64; 3]], graph: &Neighbors, hops: usize, scale: Resolution, 
                 let cosine = dot(own, other);
                 let offset = dot(own, sub(points[j as usize], points[i]));
                 let exponent = (1.0 - cosine.abs()) * angle_rate + offset * offset * offset_rate;
-                if exponent < FAR {
+                if exponent < NEGLIGIBLE {
                     let weight = bell(exponent);
                     sum = add_scaled(sum, other, weight * cosine.signum());
                     total += weight;

@@ -9,7 +9,7 @@ const MINORITY: f64 = 0.5;
 
 /// Values that mean nothing, in the unit of the measure.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Least {
+pub struct Floor {
     /// Up to here values are rounding or noise.
     pub mark: f64,
     /// Up to here they do not make a point one beside an edge.
@@ -32,15 +32,15 @@ pub struct Marks {
 impl Marks {
     /// Normalises `values`, none of them negative, and cuts their histogram by Otsu's method (Tran 2013, section 2.4).
     ///
-    /// Values that `least` names are never marked. Where `params` ask for three classes, on an edge, beside it and smooth,
+    /// Values that `floor` names are never marked. Where `params` ask for three classes, on an edge, beside it and smooth,
     /// the two upper ones are marked, unless the cut between the lower two lies within the noise or leaves no minority above
     /// it: then, and when asked for two, the cut is the paper's.
-    pub fn new(mut values: Vec<f32>, least: Least, params: &ProjectionParams) -> Marks {
+    pub fn new(mut values: Vec<f32>, floor: Floor, params: &ProjectionParams) -> Marks {
         let greatest = values.iter().fold(0.0f32, |a, &b| a.max(b));
         if greatest > 0.0 {
             values.iter_mut().for_each(|v| *v /= greatest);
         }
-        let [least, beside] = [least.mark, least.beside].map(|l| l / f64::from(greatest));
+        let [least, beside] = [floor.mark, floor.beside].map(|l| l / f64::from(greatest));
         let cut = otsu(&values, params.bins).filter(|_| least < 1.0);
         let three = (params.classes > 2).then(|| otsu3(&values, params.bins)).flatten();
         let lower = three.map(|[lower, _]| lower.max(beside)).filter(|&lower| {
@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     fn marks(values: Vec<f32>, mark: f64) -> Marks {
-        Marks::new(values, Least { mark, beside: 0.0 }, &ProjectionParams::default())
+        Marks::new(values, Floor { mark, beside: 0.0 }, &ProjectionParams::default())
     }
 
     #[test]
@@ -112,9 +112,9 @@ mod tests {
         assert_eq!(marks(heaps([25, 35, 40]), 0.01).count(), 25);
         assert_eq!(marks(heaps([10, 20, 70]), 0.3).count(), 10);
         let two = ProjectionParams { classes: 2, ..Default::default() };
-        let least = Least { mark: 0.01, beside: 0.3 };
-        assert_eq!(Marks::new(heaps([10, 20, 70]), least, &two).count(), 10);
-        assert_eq!(Marks::new(heaps([10, 20, 70]), least, &ProjectionParams::default()).count(), 10);
+        let floor = Floor { mark: 0.01, beside: 0.3 };
+        assert_eq!(Marks::new(heaps([10, 20, 70]), floor, &two).count(), 10);
+        assert_eq!(Marks::new(heaps([10, 20, 70]), floor, &ProjectionParams::default()).count(), 10);
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! tangent planes lies on neither crease. Where that point is far from the planes, a point looks at its own face and at the
 //! nearest other one alone.
 
-use super::robust::Context;
+use super::surroundings::Surroundings;
 use crate::math::vec3::{distance2, dot, sub};
 
 /// Root mean square distance of the tangent planes from their common point up to which they are one crease, spacings; twice
@@ -37,13 +37,13 @@ impl Pair {
 }
 
 /// The two sides at point `i`, if the tangent planes of `near` have no place in common near `foot`.
-pub(crate) fn pair(context: &Context, i: usize, near: &[u32], foot: [f64; 3]) -> Option<Pair> {
-    let (h, noise) = (context.resolution.unit(), context.resolution.noise);
-    let normal = |j: usize| context.normals.vectors[j].map(f64::from);
-    let place = |j: usize| context.points[j];
+pub(crate) fn pair(surroundings: &Surroundings, i: usize, near: &[u32], foot: [f64; 3]) -> Option<Pair> {
+    let (h, noise) = (surroundings.resolution.unit(), surroundings.resolution.noise);
+    let normal = |j: usize| surroundings.normal(j);
+    let place = |j: usize| surroundings.points[j];
     let (mut squares, mut total) = (0.0, 0.0);
     for j in near.iter().map(|&j| j as usize).chain([i]) {
-        let weight = f64::from(context.normals.support[j]);
+        let weight = f64::from(surroundings.normals.support[j]);
         squares += weight * dot(normal(j), sub(foot, place(j))).powi(2);
         total += weight;
     }

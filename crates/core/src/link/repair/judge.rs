@@ -5,9 +5,10 @@
 //! comparison needs no threshold that would have to grow with noise. A piece of the network whose evidence all together could be
 //! chance is dropped as well. Not in Gumhold 2001, whose pruning is by length alone.
 
-use super::Reach;
+use crate::link::spanning::CycleRule;
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::distance;
+use crate::measure::Evidence;
 use crate::pattern::{LineGraph, Path, paths};
 use crate::resolution::Resolution;
 
@@ -16,12 +17,12 @@ const SHARP: f64 = 0.4;
 /// A strip shorter than this, in spacings, lies within the junctions at its ends and is not judged by itself.
 const WITHIN_JUNCTION: f64 = 3.0;
 
-/// Evidence that a connected piece must show, variances: neighbouring points share their neighbours, so that chance adds up to some
-/// twenty along the false lines of a noisy round.
-const LEAST_EVIDENCE: f64 = 25.0;
+/// Evidence that a connected piece must show, variances: neighbouring points share their neighbours, so that chance adds up
+/// to some twenty along the false lines of a noisy round.
+const SURE_EVIDENCE: f64 = 25.0;
 
 /// Drops strips that are round, then pieces too short or with too little evidence to be lines.
-pub fn judge(lines: &mut LineGraph, resolution: Resolution, reach: Reach) {
+pub(crate) fn judge(lines: &mut LineGraph, resolution: Resolution, rule: CycleRule) {
     loop {
         let round: Vec<Path> = paths(lines).into_iter().filter(|p| is_round(lines, p, resolution)).collect();
         if round.is_empty() {
@@ -31,18 +32,23 @@ pub fn judge(lines: &mut LineGraph, resolution: Resolution, reach: Reach) {
             remove_path(lines, path);
         }
     }
-    drop_pieces(lines, 0.5 * reach.rho * resolution.unit());
+    drop_pieces(lines, rule.long_branch() * resolution.unit());
 }
 
 /// Whether the strip shows too little of the evidence that a fold of its angle would.
 fn is_round(lines: &LineGraph, path: &Path, resolution: Resolution) -> bool {
-    let total = |values: &[f32]| path.vertices.iter().map(|&v| f64::from(values[v as usize])).sum::<f64>();
+    let shown = || path.vertices.iter().map(|&v| sums_of(lines.evidence[v as usize]));
     let loose = path.ends.is_some_and(|e| e.iter().any(|&v| lines.edges[v as usize].len() == 1));
     if !loose && path.ends.is_some() && length(lines, &path.vertices) < WITHIN_JUNCTION * resolution.unit() {
         return false;
     }
-    let expected = total(&lines.expected);
-    expected > 0.0 && total(&lines.evidence) < SHARP * expected
+    let expected: f64 = shown().map(|s| s[1]).sum();
+    expected > 0.0 && shown().map(|s| s[0]).sum::<f64>() < SHARP * expected
+}
+
+/// Evidence that a vertex adds to a sum, and that which a sharp fold would add: none without a cross-section.
+fn sums_of(evidence: Option<Evidence>) -> [f64; 2] {
+    evidence.map_or([0.0; 2], |e| [e.sharp, e.expected].map(f64::from))
 }
 
 fn remove_path(lines: &mut LineGraph, path: &Path) {
@@ -69,12 +75,13 @@ fn drop_pieces(lines: &mut LineGraph, least: f64) {
         let sum = &mut sums[sets.find(a as u32) as usize];
         let after = lines.edges[a].iter().filter(|&&b| b as usize > a);
         sum[0] += after.map(|&b| length(lines, &[a as u32, b])).sum::<f64>();
-        sum[1] += f64::from(lines.evidence[a]);
-        sum[2] += f64::from(lines.expected[a]);
+        let [evidence, expected] = sums_of(lines.evidence[a]);
+        sum[1] += evidence;
+        sum[2] += expected;
     }
     for v in 0..count {
         let [length, evidence, expected] = sums[sets.find(v as u32) as usize];
-        if length < least || (expected > 0.0 && evidence < LEAST_EVIDENCE) {
+        if length < least || (expected > 0.0 && evidence < SURE_EVIDENCE) {
             lines.edges[v].clear();
         }
     }

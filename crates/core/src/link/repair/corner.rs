@@ -6,30 +6,30 @@
 
 use crate::math::eigen3::eigen3;
 use crate::math::skyline::Skyline;
-use crate::math::tensor::add_product;
+use crate::math::tensor::scatter;
 use crate::math::vec3::{add, add_scaled, distance, dot, norm, scale, sub, unit};
 use crate::network::StripKind;
 use crate::pattern::{LineGraph, Path, paths};
 use crate::resolution::Resolution;
 
 /// Vertices nearer to a corner than this, spacings, say nothing of its sides.
-const NEAR: f64 = 1.25;
+const ROUNDED_OFF: f64 = 1.25;
 /// Lengths of the sides that are looked at, spacings: long ones tell more, short ones fit between two corners.
 const SIDES: [f64; 2] = [10.0, 6.0];
 /// Least share of its length that a side must have, and the fewest vertices on it.
-const LEAST_SIDE: (f64, usize) = (0.8, 4);
+const FILLED_SIDE: (f64, usize) = (0.8, 4);
 /// Least length of path between two corners, spacings.
-const APART: f64 = 3.0;
+const CORNERS_APART: f64 = 3.0;
 /// Least turn of a corner, degrees.
 const TURN_DEG: f64 = 45.0;
 /// Greatest ratio of the residual of two lines to that of a smooth curve, at the least turn and at a right angle: a bend that
 /// is hardly one has to be the clearer.
-const RATIO: [f64; 2] = [0.4, 0.6];
+const CLEAR_RATIO: [f64; 2] = [0.4, 0.6];
 /// What drew the line together rounds a corner with no greater radius than this, spacings: a border's points are drawn
 /// together along it, a crease's feet hardly; a round that is greater is the part's own.
 const ROUNDED: [(StripKind, f64); 2] = [(StripKind::Crease, 1.0), (StripKind::Border, 4.0)];
-/// How far the path may miss the corner beside that, spacings.
-const ASIDE: f64 = 0.35;
+/// How far the path may miss the corner beyond what its rounding explains, spacings.
+const MISSED_BY: f64 = 0.35;
 
 /// A corner found on a path.
 #[derive(Clone, Copy, Debug)]
@@ -43,17 +43,17 @@ struct Corner {
 }
 
 /// Puts a node at every corner of the strips.
-pub fn corners(lines: &mut LineGraph, kind: StripKind, resolution: Resolution) {
+pub(crate) fn corners(lines: &mut LineGraph, kind: StripKind, resolution: Resolution) {
     let h = resolution.unit();
     let rounded = ROUNDED.iter().find(|r| r.0 == kind).map_or(0.0, |r| r.1);
     for path in paths(lines) {
-        let run = Run::new(lines, &path, h, rounded);
-        place(lines, &path, &run, &run.corners());
+        let course = Course::new(lines, &path, h, rounded);
+        place(lines, &path, &course, &course.corners());
     }
 }
 
 /// The vertices of a path with their distance along it, in spacings.
-struct Run {
+struct Course {
     positions: Vec<[f64; 3]>,
     along: Vec<f64>,
     length: f64,
@@ -63,8 +63,8 @@ struct Run {
     rounded: f64,
 }
 
-impl Run {
-    fn new(lines: &LineGraph, path: &Path, h: f64, rounded: f64) -> Run {
+impl Course {
+    fn new(lines: &LineGraph, path: &Path, h: f64, rounded: f64) -> Course {
         let positions: Vec<[f64; 3]> = path.vertices.iter().map(|&v| lines.positions[v as usize]).collect();
         let mut along = vec![0.0];
         for pair in positions.windows(2) {
@@ -73,7 +73,7 @@ impl Run {
         let closed = path.ends.is_none();
         let last = along[along.len() - 1];
         let gap = if closed { distance(positions[0], positions[positions.len() - 1]) / h } else { 0.0 };
-        Run { positions, along, length: last + gap, closed, h, rounded }
+        Course { positions, along, length: last + gap, closed, h, rounded }
     }
 
     /// The vertices from `near` to a side's length behind (-1) or ahead (+1) of `at`: distance along the path and position, in the
@@ -113,7 +113,10 @@ impl Run {
         all.sort_by(|a, b| a.ratio.total_cmp(&b.ratio).then(a.at.cmp(&b.at)));
         let mut kept: Vec<Corner> = Vec::new();
         for corner in all {
-            if kept.iter().all(|k| self.apart(k.at, corner.at) >= (k.spoilt + corner.spoilt).max(APART)) {
+            if kept
+                .iter()
+                .all(|k| self.apart(k.at, corner.at) >= (k.spoilt + corner.spoilt).max(CORNERS_APART))
+            {
                 kept.push(corner);
             }
         }
@@ -122,11 +125,11 @@ impl Run {
 
     /// The corner that sides of this length show at a vertex; where the path is rounded it is placed by what lies beyond.
     fn corner(&self, at: usize, side: f64) -> Option<Corner> {
-        let first = self.meeting(at, side, NEAR)?;
+        let first = self.meeting(at, side, ROUNDED_OFF)?;
         let (turn, spoilt) = first.rounding(self.off(at, first.position) / self.h, self.rounded)?;
-        let beyond = if spoilt > NEAR { self.meeting(at, side, spoilt) } else { None };
+        let beyond = if spoilt > ROUNDED_OFF { self.meeting(at, side, spoilt) } else { None };
         let position = beyond.map_or(first.position, |b| b.position);
-        let [least, right] = RATIO;
+        let [least, right] = CLEAR_RATIO;
         let share = ((turn - TURN_DEG) / (90.0 - TURN_DEG)).clamp(0.0, 1.0);
         let clear = first.ratio <= least + share * (right - least);
         // A rounding that leaves nothing of the sides is no corner's.
@@ -134,14 +137,14 @@ impl Run {
             at,
             position,
             ratio: first.ratio,
-            spoilt: spoilt.max(NEAR),
+            spoilt: spoilt.max(ROUNDED_OFF),
         })
     }
 
     /// Where the lines through both sides meet.
     fn meeting(&self, at: usize, side: f64, near: f64) -> Option<Meeting> {
         let sides = [-1, 1].map(|step| self.side(at, step, side, near));
-        let (share, fewest) = LEAST_SIDE;
+        let (share, fewest) = FILLED_SIDE;
         if sides.iter().any(|s| s.len() < fewest || s[s.len() - 1].0.abs() < share * side) {
             return None;
         }
@@ -189,7 +192,7 @@ impl Meeting {
         let half = 0.5 * self.cosine.clamp(-1.0, 1.0).acos();
         let missed = (1.0 / half.cos().max(0.1) - 1.0).max(1e-6);
         let radius = (aside / missed).min(rounded);
-        (aside <= rounded * missed + ASIDE).then(|| (2.0 * half.to_degrees(), radius * half.tan()))
+        (aside <= rounded * missed + MISSED_BY).then(|| (2.0 * half.to_degrees(), radius * half.tan()))
     }
 }
 
@@ -206,9 +209,7 @@ impl Line {
     fn fit(side: &[(f64, [f64; 3])]) -> Line {
         let share = 1.0 / side.len() as f64;
         let centre = side.iter().fold([0.0; 3], |sum, s| add_scaled(sum, s.1, share));
-        let mut tensor = [0.0; 6];
-        side.iter().for_each(|s| add_product(&mut tensor, sub(s.1, centre), 1.0));
-        let axes = eigen3(&tensor);
+        let axes = eigen3(&scatter(side.iter().map(|s| sub(s.1, centre))));
         let outward = sub(side[side.len() - 1].1, side[0].1);
         let axis = axes.vectors[2];
         let direction = if dot(axis, outward) < 0.0 { scale(axis, -1.0) } else { axis };
@@ -260,14 +261,14 @@ fn smooth_residual(sides: &[Vec<(f64, [f64; 3])>; 2]) -> f64 {
 }
 
 /// Puts nodes at the corners of a path in place of the vertices next to them.
-fn place(lines: &mut LineGraph, path: &Path, run: &Run, corners: &[Corner]) {
+fn place(lines: &mut LineGraph, path: &Path, course: &Course, corners: &[Corner]) {
     let count = path.vertices.len();
-    let is_end = |i: usize| !run.closed && (i == 0 || i + 1 == count);
-    let spoilt = |i: usize| corners.iter().any(|c| run.apart(i, c.at) < c.spoilt);
+    let is_end = |i: usize| !course.closed && (i == 0 || i + 1 == count);
+    let spoilt = |i: usize| corners.iter().any(|c| course.apart(i, c.at) < c.spoilt);
     let is_corner = |i: usize| corners.iter().any(|c| c.at == i);
     let kept: Vec<u32> =
         (0..count).filter(|&i| is_end(i) || is_corner(i) || !spoilt(i)).map(|i| path.vertices[i]).collect();
-    if corners.is_empty() || (run.closed && kept.len() < 3) {
+    if corners.is_empty() || (course.closed && kept.len() < 3) {
         return;
     }
     for corner in corners {
@@ -277,7 +278,7 @@ fn place(lines: &mut LineGraph, path: &Path, run: &Run, corners: &[Corner]) {
         lines.nodes.push(vertex);
     }
     let around = |row: &[u32]| row.windows(2).map(|w| (w[0], w[1])).collect::<Vec<_>>();
-    let closing = |row: &[u32]| run.closed.then(|| (row[row.len() - 1], row[0]));
+    let closing = |row: &[u32]| course.closed.then(|| (row[row.len() - 1], row[0]));
     around(&path.vertices)
         .into_iter()
         .chain(closing(&path.vertices))

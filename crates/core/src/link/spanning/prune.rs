@@ -1,21 +1,20 @@
 //! Pruning of short branches (Gumhold 2001, section 3.3).
 
-use super::Reach;
+use super::rule::CycleRule;
 use super::walk::Walker;
 use crate::pattern::LineGraph;
-use crate::resolution::Resolution;
 
-/// Takes away branches less deep than half of `reach.rho`, but leaves each singleton end its longest path.
+/// Takes away branches less deep than half of `rho`, but leaves each singleton end its longest path.
 ///
 /// Both steps of the paper are one rule here: where `n` of the branches at a vertex are long, all short ones go but the
 /// `2 - n` deepest. Repeated until nothing changes, as a removal can lay an end open.
-pub fn prune(lines: &mut LineGraph, resolution: Resolution, reach: Reach) {
-    let mut walker = Walker::new(lines.edges.len(), resolution, reach);
+pub(crate) fn prune(lines: &mut LineGraph, rule: CycleRule) {
+    let mut walker = Walker::new(lines.edges.len(), rule.metric);
     loop {
         let mut changed = false;
         for v in 0..lines.edges.len() as u32 {
             if lines.edges[v as usize].len() > 2 {
-                changed |= prune_at(lines, &mut walker, v, 0.5 * reach.rho);
+                changed |= prune_at(lines, &mut walker, v, rule.long_branch());
             }
         }
         if !changed {
@@ -37,7 +36,7 @@ fn prune_at(lines: &mut LineGraph, walker: &mut Walker, v: u32, long: f64) -> bo
 }
 
 /// Removes the tree that hangs on `root` through `first`.
-pub(super) fn remove_branch(lines: &mut LineGraph, root: u32, first: u32) {
+pub(crate) fn remove_branch(lines: &mut LineGraph, root: u32, first: u32) {
     lines.remove_edge(root, first);
     let mut open = vec![first];
     while let Some(v) = open.pop() {

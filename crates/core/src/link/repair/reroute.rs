@@ -3,9 +3,7 @@
 //! The paper links an endpoint by one straight edge. Where a fold fades for longer than that, the small clusters still show
 //! the way: the shortest path through `G_extended` that comes back to the lines, without making a small cycle.
 
-use super::connect::strip_length;
-use crate::link::Reach;
-use crate::link::walk::Walker;
+use crate::link::spanning::{Metric, Walker};
 use crate::math::vec3::distance;
 use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
@@ -14,7 +12,7 @@ use std::collections::BinaryHeap;
 
 /// Longest way through weak clusters, spacings, in rounds: short ways first, as they may make long ones needless.
 /// A way is no longer than the strip that leads up to it.
-const LONGEST: [f64; 3] = [4.0, 10.0, 20.0];
+const LONGEST_WAY: [f64; 3] = [4.0, 10.0, 20.0];
 /// A path within the lines this many times as long as the way itself, and some spacings more, makes no small cycle.
 const DETOUR: (f64, f64) = (2.0, 4.0);
 
@@ -22,16 +20,16 @@ const DETOUR: (f64, f64) = (2.0, 4.0);
 type Length = u64;
 
 /// Closes what it can; `all` is `G_extended` on the same vertices, of which `lines` may have some more at the end.
-pub fn reroute(lines: &mut LineGraph, all: &LineGraph, resolution: Resolution, reach: Reach) {
-    let mut walker = Walker::new(lines.edges.len(), resolution, reach);
-    for longest in LONGEST {
+pub(crate) fn reroute(lines: &mut LineGraph, all: &LineGraph, resolution: Resolution, metric: Metric) {
+    let mut walker = Walker::new(lines.edges.len(), metric);
+    for longest in LONGEST_WAY {
         let ends: Vec<u32> =
             (0..all.edges.len() as u32).filter(|&v| lines.edges[v as usize].len() == 1).collect();
         for end in ends {
             if lines.edges[end as usize].len() != 1 {
                 continue;
             }
-            let lead = strip_length(lines, end) / resolution.spacing;
+            let lead = lines.strip_length(end) / resolution.spacing;
             if let Some(path) = way(lines, all, end, resolution, longest.min(lead), &mut walker) {
                 for pair in path.windows(2) {
                     lines.add_edge(pair[0], pair[1]);

@@ -19,7 +19,7 @@ const PIECES: f64 = 256.0;
 const SAME_NODE: f64 = 2.0;
 
 /// Leads loose crease ends on to borders.
-pub fn dock(pattern: &mut Pattern, resolution: Resolution) {
+pub(crate) fn dock(pattern: &mut Pattern, resolution: Resolution) {
     let h = resolution.unit();
     let Pattern { crease, border } = pattern;
     let ends: Vec<u32> =
@@ -124,11 +124,9 @@ mod tests {
             let mut border = LineGraph {
                 points: vec![0, 1],
                 positions: vec![[0.0; 3], [1.0, 0.0, 0.0]],
-                penalty: vec![0.0; 2],
+                penalty: vec![Some(0.0); 2],
                 corner: vec![0.0; 2],
-                evidence: vec![0.0; 2],
-                expected: vec![0.0; 2],
-                fold: vec![0.0; 2],
+                evidence: vec![None; 2],
                 edges: vec![vec![1], vec![0]],
                 nodes: Vec::new(),
             };

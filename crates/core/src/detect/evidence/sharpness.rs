@@ -1,6 +1,6 @@
 //! The cross-section of a crease candidate, and whether it is sharp.
 
-use crate::detect::fold::{CrossSection, Fold};
+use super::fold::{CrossSection, Fold};
 use crate::math::eigen3::Eigen3;
 use crate::math::vec3::{add, add_scaled, cross, dot, sub, unit};
 use crate::resolution::Resolution;
@@ -16,14 +16,14 @@ const ACROSS: f64 = 3.0;
 const DISTINCT: f64 = 0.3;
 
 /// Whether the cross-section through `foot`, at right angles to the least axis of the normal tensor, is sharp. `near` are
-/// points; `section` is scratch.
+/// points; `section` is scratch. `None` for too few points.
 pub fn sharpness(
     near: impl Iterator<Item = [f64; 3]> + Clone,
     tensor: &Eigen3,
     foot: [f64; 3],
     scale: Resolution,
     section: &mut CrossSection,
-) -> Fold {
+) -> Option<Fold> {
     let h = scale.unit();
     let along = tensor.vectors[0];
     let (up, across) = frame(near.clone(), tensor, foot);
@@ -36,7 +36,7 @@ pub fn sharpness(
         }
     }
     let variance = (scale.noise / h).powi(2) + MODEL_ERROR * MODEL_ERROR;
-    section.fold(variance).unwrap_or_default()
+    section.fold(variance)
 }
 
 /// Bisector and crossing direction of the fold.

@@ -1,22 +1,20 @@
 //! Bounded walks on a line graph, shared by the cycle test and the pruning.
 
-use super::Reach;
+use super::rule::Metric;
 use crate::math::vec3::distance;
 use crate::pattern::LineGraph;
-use crate::resolution::Resolution;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// Shortest-path walker with counter stamps in place of cleared flags (Gumhold 2001, section 3.2).
-pub struct Walker {
+pub(crate) struct Walker {
     stamp: Vec<u32>,
     now: u32,
     /// Where each vertex was reached from, valid for the present stamp.
     from: Vec<u32>,
     reached: Vec<f64>,
     heap: BinaryHeap<(Reverse<Length>, Reverse<u32>)>,
-    in_edges: bool,
-    unit: f64,
+    metric: Metric,
 }
 
 /// A length with a total order.
@@ -39,24 +37,24 @@ impl Ord for Length {
 
 impl Walker {
     /// A walker for graphs of `vertices` vertices.
-    pub fn new(vertices: usize, resolution: Resolution, reach: Reach) -> Self {
+    pub fn new(vertices: usize, metric: Metric) -> Self {
         Self {
             stamp: vec![0; vertices],
             now: 0,
             from: vec![0; vertices],
             reached: vec![0.0; vertices],
             heap: BinaryHeap::new(),
-            in_edges: reach.in_edges,
-            unit: resolution.unit(),
+            metric,
         }
     }
 
-    /// The length of an edge: 1, or its spacings.
+    /// The length of an edge.
     pub fn length(&self, lines: &LineGraph, a: u32, b: u32) -> f64 {
-        if self.in_edges {
-            1.0
-        } else {
-            distance(lines.positions[a as usize], lines.positions[b as usize]) / self.unit
+        match self.metric {
+            Metric::Edges => 1.0,
+            Metric::Lengths(unit) => {
+                distance(lines.positions[a as usize], lines.positions[b as usize]) / unit
+            }
         }
     }
 

@@ -12,8 +12,8 @@ pub struct CrossSection {
     z: Vec<f64>,
 }
 
-/// What a cross-section says.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// What a cross-section shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fold {
     /// Residual of the best smooth shape less that of the best wedge, in variances of the noise: above zero speaks for a
     /// crease.
@@ -29,7 +29,7 @@ const HINGES: [f64; 7] = [-0.9, -0.6, -0.3, 0.0, 0.3, 0.6, 0.9];
 /// Where a one-sided round may begin.
 const ROUNDS: [f64; 4] = [-1.5, -0.5, 0.5, 1.5];
 /// Fewest points that can tell five shapes apart.
-const LEAST_POINTS: usize = 8;
+const FEWEST_POINTS: usize = 8;
 
 impl CrossSection {
     /// Forgets all points.
@@ -44,19 +44,9 @@ impl CrossSection {
         self.z.push(z);
     }
 
-    /// The number of points.
-    pub fn len(&self) -> usize {
-        self.s.len()
-    }
-
-    /// Whether there is no point.
-    pub fn is_empty(&self) -> bool {
-        self.s.is_empty()
-    }
-
     /// Compares wedge and smooth shapes; `variance` is that of the noise along `z`. `None` for too few points.
     pub fn fold(&self, variance: f64) -> Option<Fold> {
-        if self.s.len() < LEAST_POINTS {
+        if self.s.len() < FEWEST_POINTS {
             return None;
         }
         let line = Line::fit(&self.s, &self.z);

@@ -10,7 +10,7 @@ use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
 /// Greatest length of a rung, spacings.
-const LONGEST: f64 = 5.0;
+const LONGEST_RUNG: f64 = 5.0;
 /// Most edges: a longer row is a line that was seen.
 const MOST_EDGES: usize = 2;
 /// Length of line on both sides of an end that says whether it passes straight, spacings.
@@ -19,12 +19,12 @@ const TANGENT: f64 = 2.5;
 const PASSING_DEG: f64 = 40.0;
 
 /// Takes away all rungs, the shortest first.
-pub fn remove_rungs(lines: &mut LineGraph, resolution: Resolution) {
+pub(crate) fn remove_rungs(lines: &mut LineGraph, resolution: Resolution) {
     let h = resolution.unit();
     let mut rungs: Vec<(f64, Vec<u32>)> = (0..lines.edges.len() as u32)
         .filter(|&v| lines.edges[v as usize].len() == 3)
         .flat_map(|v| lines.edges[v as usize].iter().map(move |&w| (v, w)))
-        .filter_map(|(v, w)| rung(lines, v, w, LONGEST * h))
+        .filter_map(|(v, w)| rung(lines, v, w, LONGEST_RUNG * h))
         .filter(|(_, path)| path[0] < path[path.len() - 1])
         .collect();
     rungs.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));

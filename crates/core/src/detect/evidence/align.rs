@@ -6,11 +6,27 @@
 use crate::math::vec3::{add_scaled, dot, norm, scale, sub};
 use crate::measure::Penalties;
 use crate::neighbors::{Neighbors, riemannian::Scratch};
+use crate::resolution::Resolution;
 use rayon::prelude::*;
+
+/// Certainty of direction below which a point is near a corner and has no across.
+pub(crate) const NO_DIRECTION: f64 = 0.5;
+
+/// Draws the feet of creases together: they scatter with the noise, and a band of them is as wide.
+pub(crate) fn align_creases(graph: &Neighbors, creases: &mut Penalties, resolution: Resolution, hops: usize) {
+    let blur = (4.0 * resolution.noise).min(2.0 * resolution.unit());
+    align(graph, creases, hops.max(2), blur, blur);
+}
+
+/// Draws the feet of borders together: the row of points behind a border is ragged without any noise.
+pub(crate) fn align_borders(graph: &Neighbors, borders: &mut Penalties, resolution: Resolution) {
+    let unit = resolution.unit();
+    align(graph, borders, 2, 2.0 * unit, 2.0 * unit);
+}
 
 /// Moves every candidate across its line to the mean of the candidates up to `hops` away in the graph whose feet lie
 /// within `along` of its own along the line and within `across` beside it.
-pub fn align(graph: &Neighbors, penalties: &mut Penalties, hops: usize, along: f64, across: f64) {
+fn align(graph: &Neighbors, penalties: &mut Penalties, hops: usize, along: f64, across: f64) {
     let feet: Vec<[f64; 3]> = (0..penalties.len())
         .into_par_iter()
         .with_min_len(64)
@@ -26,8 +42,7 @@ fn aligned(penalties: &Penalties, near: &[u32], c: usize, along: f64, across: f6
     let vector = penalties.vector[c].map(f64::from);
     let certainty = norm(vector);
     let foot = penalties.foot[c];
-    if certainty < 0.5 {
-        // A corner has no line to move across.
+    if certainty < NO_DIRECTION {
         return foot;
     }
     let direction = scale(vector, 1.0 / certainty);
@@ -58,15 +73,7 @@ mod tests {
         for i in 0..20 {
             let certainty = if i == 10 { 0.2 } else { 1.0 };
             let foot = [0.5 * f64::from(i), if i % 2 == 0 { 0.4 } else { -0.4 }, 0.0];
-            let row = Row {
-                scalar: 0.0,
-                vector: [certainty, 0.0, 0.0],
-                corner: 1.0,
-                foot,
-                evidence: 0.0,
-                expected: 0.0,
-                fold: 0.0,
-            };
+            let row = Row { scalar: 0.0, vector: [certainty, 0.0, 0.0], corner: 1.0, foot, evidence: None };
             penalties.push(i as u32, row);
         }
         align(&graph, &mut penalties, 1, 2.0, 2.0);

@@ -7,30 +7,30 @@
 //! sheet, the next ring of neighbours decides.
 
 use crate::math::eigen3::eigen3;
-use crate::math::tensor::{add_product, ellipsoid};
+use crate::math::tensor::{add_product, centred, ellipsoid};
 use crate::math::vec3::{dot, sub};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::resolution::Resolution;
 use rayon::prelude::*;
 
-/// Neighbours of the small ellipsoid: with the point itself the fewest that noise leaves a plane.
+/// Neighbours of the small ellipsoid: with the point itself the fewest whose plane stands up to noise.
 const NEAREST: usize = 6;
 /// Refinements by weighted least squares.
 const REFINEMENTS: usize = 2;
 
 /// A plane with a smaller share of the neighbours may have won by chance over another that has nearly as much: a wider
 /// neighbourhood decides.
-const SURE: f64 = 0.7;
-/// What is nearly as much.
+const CLEAR_MAJORITY: f64 = 0.7;
+/// Share of the best plane's weight from which on another plane is its rival.
 const RIVAL: f64 = 0.7;
-/// Planes at a greater angle are others.
-const OTHER_DEG: f64 = 20.0;
+/// Least angle between planes of which one can be the other's rival.
+const OTHER_PLANE_DEG: f64 = 20.0;
 
-/// What a neighbour counts there that is farther than the first.
-const RING: f64 = 0.375;
+/// Weight of second-ring neighbours.
+const SECOND_RING_WEIGHT: f64 = 0.375;
 
-/// Exponent from which on a weight counts as none.
-pub(super) const FAR: f64 = 8.0;
+/// Exponent of the bell curve from which on a weight counts as zero.
+pub(super) const NEGLIGIBLE: f64 = 8.0;
 
 /// A bell curve like `exp(-x)` near zero, without the cost of one: `(1 + x / 4)^-4`.
 #[inline]
@@ -74,8 +74,12 @@ pub fn consensus_normals(
             let mut normal = best(planes.iter().copied()).0;
             if let Some(rivals) = rivals(planes, near) {
                 let ring = &graph.hops(i, hops + 1, scratch)[near..];
-                normal =
-                    best(rivals.map(|(n, w)| (n, w + RING * weight(points, i, ring, rate, n))).into_iter()).0;
+                normal = best(
+                    rivals
+                        .map(|(n, w)| (n, w + SECOND_RING_WEIGHT * weight(points, i, ring, rate, n)))
+                        .into_iter(),
+                )
+                .0;
             }
             let all = graph.hops(i, hops, scratch);
             for _ in 0..REFINEMENTS {
@@ -107,10 +111,10 @@ fn best(planes: impl Iterator<Item = Plane>) -> Plane {
 /// The best plane and the best that is another, if they may have won and lost by chance.
 fn rivals(planes: &[Plane], neighbors: usize) -> Option<[Plane; 2]> {
     let first = best(planes.iter().copied());
-    if first.1 >= SURE * neighbors as f64 {
+    if first.1 >= CLEAR_MAJORITY * neighbors as f64 {
         return None;
     }
-    let cosine = OTHER_DEG.to_radians().cos();
+    let cosine = OTHER_PLANE_DEG.to_radians().cos();
     let second = best(planes.iter().copied().filter(|p| dot(p.0, first.0).abs() < cosine));
     (second.1 > RIVAL * first.1).then_some([first, second])
 }
@@ -122,7 +126,7 @@ fn refined(points: &[[f64; 3]], i: usize, neighbors: &[u32], rate: f64, normal: 
         let d = sub(points[j as usize], points[i]);
         let offset = dot(normal, d);
         let exponent = offset * offset * rate;
-        if exponent < FAR {
+        if exponent < NEGLIGIBLE {
             let weight = bell(exponent);
             for c in 0..3 {
                 sum[c] += weight * d[c];
@@ -131,9 +135,7 @@ fn refined(points: &[[f64; 3]], i: usize, neighbors: &[u32], rate: f64, normal: 
             total += weight;
         }
     }
-    let mut tensor = products.map(|p| p / total);
-    add_product(&mut tensor, sum.map(|s| s / total), -1.0);
-    eigen3(&tensor).vectors[0]
+    eigen3(&centred(sum, products, total).1).vectors[0]
 }
 
 #[cfg(test)]

@@ -23,13 +23,13 @@ const TOUCHING_LAST: [f64; 2] = [3.5, 10.0];
 const LOOP_TO_GAP: f64 = 3.0;
 /// Length of strip that an end's direction is taken from, spacings.
 const TANGENT: f64 = 4.0;
-/// In which rounds ends may run into a strip ahead of them, how far, spacings, and how far aside they may look, degrees. None
-/// is led on by more than half its own length.
+/// In which rounds ends may run into a strip ahead of them, how far, spacings, and how far aside they may look, degrees. No
+/// end is led on by more than half its own length.
 const INTO_STRIP: [(usize, f64, f64); 3] = [(SIDEWAYS, 3.5, 50.0), (2, 5.5, 22.0), (3, 8.0, 10.0)];
 /// How far ahead two ends may meet at an angle, and how far their lines may pass each other, spacings.
 const MEETING: (f64, f64) = (4.5, 1.0);
 /// An end this near to a strip, as a share of the reach, meets it whatever it looks at.
-const LEAST_GAP: f64 = 0.14;
+const TOUCHING_STRIP: f64 = 0.14;
 /// The round in which ends may also meet at an angle.
 const SIDEWAYS: usize = 1;
 
@@ -63,7 +63,7 @@ enum Bridge {
 }
 
 /// Joins loose ends, the cheapest first, in rounds of growing reach.
-pub fn bridge(lines: &mut LineGraph, kind: StripKind, resolution: Resolution) {
+pub(crate) fn bridge(lines: &mut LineGraph, kind: StripKind, resolution: Resolution) {
     let h = resolution.unit();
     let (gaps, last): (&[(f64, f64)], f64) = match kind {
         StripKind::Crease => (&CREASE_GAPS, TOUCHING_LAST[0]),
@@ -164,7 +164,8 @@ fn into_strips(lines: &LineGraph, ends: &[End], reach: f64, angle_deg: f64) -> V
                 let gap = sub(lines.positions[v as usize], end.position);
                 let length = norm(gap);
                 let straight = dot(end.tangent, gap) / length.max(1e-12);
-                (straight >= cosine || length <= LEAST_GAP * reach).then_some((length * (2.0 - straight), v))
+                (straight >= cosine || length <= TOUCHING_STRIP * reach)
+                    .then_some((length * (2.0 - straight), v))
             })
             .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         if let Some((cost, v)) = nearest {

@@ -1,0 +1,42 @@
+//! Networks without a fault, for tests.
+
+use crate::curve::BSpline;
+use crate::math::vec3::distance;
+use crate::network::{Network, Node, Strip};
+use crate::shapes::{self, Truth, TruthCurve};
+
+/// A truth as the network that a perfect extraction would give: the polylines as curves of degree 1, a loop's as the
+/// control points of a cubic.
+pub(crate) fn perfect(truth: &Truth) -> Network {
+    let node =
+        |n: &shapes::TruthNode| Node { position: n.position, kind: n.kind, degree: n.degree, source: 0 };
+    Network {
+        nodes: truth.nodes.iter().map(node).collect(),
+        strips: truth.curves.iter().map(strip).collect(),
+    }
+}
+
+pub(crate) fn strip(curve: &TruthCurve) -> Strip {
+    let degree = if curve.closed { 3 } else { 1 };
+    let mut knots = vec![0.0];
+    for [a, b] in curve.segments() {
+        knots.push(knots[knots.len() - 1] + distance(a, b));
+    }
+    if !curve.closed {
+        knots.insert(0, 0.0);
+        knots.push(knots[knots.len() - 1]);
+    }
+    Strip {
+        kind: curve.kind,
+        closed: curve.closed,
+        start: curve.start,
+        end: curve.end,
+        points: curve.points.clone(),
+        curve: BSpline { degree, knots, controls: curve.points.clone(), periodic: curve.closed },
+        sources: vec![0, 1],
+        fold_deg: None,
+        evidence: 0.0,
+        deviation: 0.0,
+        confidence: 1.0,
+    }
+}

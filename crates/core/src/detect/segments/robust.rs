@@ -1,0 +1,32 @@
+//! The segmentation by normals that keep to their side of a crease (ours).
+
+use super::absorb::absorb;
+use super::segmentation::Segmentation;
+use super::segmented::{Segmented, angle};
+use crate::measure::Measure;
+use crate::neighbors::Neighbors;
+use crate::params::SegmentParams;
+use crate::resolution::Resolution;
+use std::time::Instant;
+
+/// Fewest points of a face.
+const FACE_POINTS: u32 = 12;
+/// Score from which on a point belongs to a fold and not to a face: single linkage would need only one point with a normal
+/// in between to run from face to face.
+const SHARP: f32 = 0.5;
+
+/// The segmentation of a cloud with this measure.
+pub(crate) fn robust(
+    points: &[[f64; 3]],
+    graph: &Neighbors,
+    resolution: Resolution,
+    params: &SegmentParams,
+    measure: &Measure,
+) -> Segmented {
+    let start = Instant::now();
+    let sharp = |i: usize| measure.score[i] > SHARP;
+    let radians = angle(params, resolution).to_radians();
+    let segments = Segmentation::grow(graph, &measure.normal, radians, FACE_POINTS, sharp);
+    let segments = absorb(segments, points, &measure.normal, graph);
+    Segmented { segments, seconds: vec![("segments", start.elapsed().as_secs_f64())], ..Segmented::default() }
+}

@@ -1,0 +1,59 @@
+//! The graphs that the steps leave, one after the other (Demarsin et al. 2007, table 2).
+
+use super::graph::Clusters;
+use crate::pattern::{LineGraph, Pattern};
+use std::time::Instant;
+
+/// One graph of the paper's table 2.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GraphStage {
+    /// The paper's name: `G_all`, `G_extended`, `G_pruned_mst`, `G_pruned_branches`, `G_closed` or `G_smooth`.
+    pub name: &'static str,
+    /// Vertices, large clusters included in the first two.
+    pub vertices: usize,
+    /// Edges, those with large clusters included in the first two.
+    pub edges: usize,
+    /// Seconds that the step took.
+    pub seconds: f64,
+    /// The graph after the step, local frame.
+    pub lines: LineGraph,
+}
+
+/// What a linker of clusters leaves.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Linked {
+    /// Closed lines.
+    pub pattern: Pattern,
+    /// The crease graph after each step.
+    pub stages: Vec<GraphStage>,
+}
+
+/// Notes the graph after each step.
+pub(super) struct Recorder {
+    pub(super) stages: Vec<GraphStage>,
+    start: Instant,
+}
+
+impl Recorder {
+    pub(super) fn new() -> Self {
+        Self { stages: Vec::new(), start: Instant::now() }
+    }
+
+    /// A graph that still has all clusters.
+    pub(super) fn whole(&mut self, name: &'static str, clusters: &Clusters) {
+        let vertices = clusters.lines.edges.len() + clusters.large_count;
+        self.push(name, vertices, clusters.lines.edge_count() + clusters.edges_with_large(), &clusters.lines);
+    }
+
+    /// A graph of lines: vertices without an edge are no part of it.
+    pub(super) fn lines(&mut self, name: &'static str, lines: &LineGraph) {
+        let vertices = lines.edges.iter().filter(|e| !e.is_empty()).count();
+        self.push(name, vertices, lines.edge_count(), lines);
+    }
+
+    fn push(&mut self, name: &'static str, vertices: usize, edges: usize, lines: &LineGraph) {
+        let seconds = self.start.elapsed().as_secs_f64();
+        self.stages.push(GraphStage { name, vertices, edges, seconds, lines: lines.clone() });
+        self.start = Instant::now();
+    }
+}

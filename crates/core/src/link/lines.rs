@@ -1,0 +1,61 @@
+//! The patterns of both kinds (Gumhold 2001, sections 3.2 and 3.3), in the robust form repaired.
+
+use super::repair::{dock, repair};
+use super::spanning::{CycleRule, candidate_edges, minimum_spanning_graph, prune};
+use crate::measure::{Measure, Penalties};
+use crate::neighbors::Neighbors;
+use crate::network::StripKind;
+use crate::params::{PenaltyForm, SpanningParams};
+use crate::pattern::{LineGraph, Pattern};
+use crate::resolution::Resolution;
+
+/// Graph distance of border candidates that an edge may join in the robust form. Only the outermost row of points sees a
+/// border, and its points are often farther apart than neighbours in the graph.
+const ROBUST_BORDER_HOPS: usize = 2;
+
+/// Links the candidates of both kinds into a pattern.
+pub(crate) fn link(
+    graph: &Neighbors,
+    measure: &Measure,
+    resolution: Resolution,
+    params: &SpanningParams,
+    rule: CycleRule,
+) -> Pattern {
+    let lines = |wanted: bool, kind: StripKind, penalties: &Penalties| match wanted {
+        true => lines_of(graph, &measure.density, penalties, resolution, params.tau, rule, kind),
+        false => LineGraph::default(),
+    };
+    let mut pattern = Pattern {
+        crease: lines(params.creases, StripKind::Crease, &measure.crease),
+        border: lines(params.borders, StripKind::Border, &measure.border),
+    };
+    match rule.form {
+        PenaltyForm::Paper => {}
+        PenaltyForm::Robust => dock(&mut pattern, resolution),
+    }
+    pattern
+}
+
+/// The lines of one kind. `density` is that of every point.
+pub(super) fn lines_of(
+    graph: &Neighbors,
+    density: &[f32],
+    penalties: &Penalties,
+    resolution: Resolution,
+    tau: f64,
+    rule: CycleRule,
+    kind: StripKind,
+) -> LineGraph {
+    let hops = match (kind, rule.form) {
+        (StripKind::Border, PenaltyForm::Robust) => ROBUST_BORDER_HOPS,
+        _ => 1,
+    };
+    let edges = candidate_edges(graph, density, penalties, resolution, tau, hops);
+    let mut lines = minimum_spanning_graph(penalties, &edges, resolution, rule);
+    prune(&mut lines, rule);
+    match rule.form {
+        PenaltyForm::Paper => {}
+        PenaltyForm::Robust => repair(&mut lines, kind, resolution, rule),
+    }
+    lines
+}

@@ -1,0 +1,86 @@
+//! A strip with its smooth curve (Gumhold 2001, section 4, the simple solution).
+
+use crate::curve::{BSpline, FitOptions, fit};
+use crate::math::vec3::{distance, distance2};
+use crate::network::{Network, Strip, StripKind};
+use crate::params::SplineParams;
+use crate::pattern::{LineGraph, Path};
+use crate::resolution::Resolution;
+
+/// Weight of the curve's own smoothness against the data.
+const SMOOTHING: f64 = 0.1;
+/// Greatest number of points written for a span of a curve: enough to follow any cubic, and no more where points lie far apart.
+const SPAN_POINTS: usize = 64;
+
+/// The span that suits the noise: more data for a control point where each says less.
+fn span(params: &SplineParams, resolution: Resolution) -> f64 {
+    let ratio = resolution.noise / resolution.spacing;
+    params.span_spacings.or(|| 3.0 + 6.0 * ratio.min(1.0)) * resolution.unit()
+}
+
+/// The strip along a path whose `ends` are nodes of the network.
+pub(super) fn strip(
+    network: &Network,
+    kind: StripKind,
+    lines: &LineGraph,
+    path: &Path,
+    ends: Option<[u32; 2]>,
+    resolution: Resolution,
+    params: &SplineParams,
+) -> Strip {
+    let mut positions: Vec<[f64; 3]> = path.vertices.iter().map(|&v| lines.positions[v as usize]).collect();
+    if let Some([start, end]) = ends {
+        let last = positions.len() - 1;
+        positions[0] = network.nodes[start as usize].position;
+        positions[last] = network.nodes[end as usize].position;
+    }
+    let options = FitOptions { span: span(params, resolution), smoothing: SMOOTHING, closed: ends.is_none() };
+    let (curve, parameters) = fit(&positions, options);
+    let squares: f64 = positions.iter().zip(&parameters).map(|(&p, &t)| distance2(p, curve.point(t))).sum();
+    let mut sources: Vec<u32> = path.vertices.iter().map(|&v| lines.points[v as usize]).collect();
+    sources.dedup();
+    Strip {
+        kind,
+        closed: ends.is_none(),
+        start: ends.map(|e| e[0]),
+        end: ends.map(|e| e[1]),
+        points: polyline(&curve, params.step_spacings * resolution.spacing),
+        curve,
+        sources,
+        fold_deg: fold_deg(lines, path),
+        evidence: mean(path, |v| lines.evidence[v].map(|e| e.sharp)),
+        deviation: (squares / positions.len() as f64).sqrt(),
+        confidence: (1.0 - mean(path, |v| lines.penalty[v])).clamp(0.0, 1.0),
+    }
+}
+
+/// The mean of what is known at the vertices of a path, over all of them.
+fn mean(path: &Path, known: impl Fn(usize) -> Option<f32>) -> f64 {
+    let sum: f64 = path.vertices.iter().map(|&v| f64::from(known(v as usize).unwrap_or(0.0))).sum();
+    sum / path.vertices.len() as f64
+}
+
+/// The mean fold over the vertices that measured one, degrees.
+fn fold_deg(lines: &LineGraph, path: &Path) -> Option<f64> {
+    let evidence = || path.vertices.iter().filter_map(|&v| lines.evidence[v as usize]);
+    let folds = || evidence().map(|e| f64::from(e.fold)).filter(|&f| f > 0.0);
+    let count = folds().count();
+    (count > 0).then(|| (folds().sum::<f64>() / count as f64).to_degrees())
+}
+
+/// Points on the curve about `step` apart; a closed curve's first is not repeated.
+fn polyline(curve: &BSpline, step: f64) -> Vec<[f64; 3]> {
+    let (from, to) = curve.domain();
+    let most = SPAN_POINTS * curve.controls.len();
+    let pieces = (((to - from) / step).ceil() as usize).clamp(if curve.periodic { 3 } else { 1 }, most);
+    let last = if curve.periodic { pieces - 1 } else { pieces };
+    let mut points: Vec<[f64; 3]> =
+        (0..=last).map(|i| curve.point(from + (to - from) * i as f64 / pieces as f64)).collect();
+    if !curve.periodic {
+        // The curve's ends are its end controls; written so, they equal the nodes to the bit.
+        points[0] = curve.controls[0];
+        points[last] = curve.controls[curve.controls.len() - 1];
+    }
+    points.dedup_by(|a, b| distance(*a, *b) == 0.0);
+    points
+}
