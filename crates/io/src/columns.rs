@@ -1,6 +1,7 @@
 //! Number types of files and the columns that their values go into.
 
-use crate::half;
+mod half;
+
 use lineament::Column;
 use rayon::prelude::*;
 

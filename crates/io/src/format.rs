@@ -1,10 +1,34 @@
-//! The formats that are read, and how an input shows which one it is.
+//! File formats: one table (`format/table.rs`) from which reading, writing, messages and help texts draw.
+
+mod table;
+
+pub use table::FORMATS;
 
 use crate::error::Error;
-use crate::number::{shown, tokens};
-use crate::read::{expe, gltf, npy, off, parquet, ptx, stl};
 use std::fmt;
 use std::path::Path;
+
+/// A file format with its uses. A line for help texts stands beside each use that writes.
+#[derive(Clone, Copy, Debug)]
+pub struct FileFormat {
+    /// Name in messages.
+    pub name: &'static str,
+    /// Extensions without their dots, in lower case; the first is the usual one.
+    pub extensions: &'static [&'static str],
+    /// As a format of point clouds that are read.
+    pub read: Option<Format>,
+    /// As a format of networks.
+    pub network: Written<NetworkFormat>,
+    /// As a format of classified points.
+    pub points: Written<PointFormat>,
+    /// As a format of patches.
+    pub patches: Written<PatchFormat>,
+    /// As a format of sections.
+    pub section: Written<SectionFormat>,
+}
+
+/// A format that is written, with its line in help texts.
+pub type Written<T> = Option<(T, &'static str)>;
 
 /// A format that point clouds are read from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -40,124 +64,185 @@ pub enum Format {
     Gltf,
 }
 
-/// Format, name in messages, extensions.
-const FORMATS: [(Format, &str, &[&str]); 14] = [
-    (Format::Ply, "PLY", &["ply"]),
-    (
-        Format::Table,
-        "table",
-        &["xyz", "txt", "csv", "asc", "tsv", "dat", "xyzn", "xyzrgb", "pwn", "neu", "pts"],
-    ),
-    (Format::Obj, "OBJ", &["obj"]),
-    (Format::Pcd, "PCD", &["pcd"]),
-    (Format::Las, "LAS", &["las", "laz"]),
-    (Format::E57, "E57", &["e57"]),
-    (Format::Ptx, "PTX", &["ptx"]),
-    (Format::Stl, "STL", &["stl"]),
-    (Format::Off, "OFF", &["off"]),
-    (Format::Npy, "NPY", &["npy"]),
-    (Format::Npz, "NPZ", &["npz"]),
-    (Format::Parquet, "Parquet", &["parquet", "pq"]),
-    (Format::Expe, "Expe point set", &[]),
-    (Format::Gltf, "glTF", &["glb", "gltf"]),
-];
+/// A format that networks are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NetworkFormat {
+    /// The documented schema `lineament-network/1`.
+    Json,
+    /// Wavefront lines.
+    Obj,
+    /// Vertices and edges, binary.
+    Ply,
+    /// 3D polylines, release 12.
+    Dxf,
+    /// A drawing in millimetres.
+    Svg,
+    /// Lines and points in the frame of the input.
+    GeoJson,
+    /// The same as a database of two layers.
+    GeoPackage,
+    /// Binary glTF lines.
+    Glb,
+    /// VTK polygonal data.
+    Vtp,
+    /// A row a point.
+    Csv,
+}
 
-/// First bytes of formats that have them.
-const MAGIC: [(Format, &[u8]); 8] = [
-    (Format::Las, b"LASF"),
-    (Format::E57, b"ASTM-E57"),
-    (Format::Npy, npy::MAGIC),
-    (Format::Npz, b"PK\x03\x04"),
-    (Format::Parquet, parquet::MAGIC),
-    (Format::Expe, expe::MAGIC),
-    (Format::Pcd, b"# .PCD"),
-    (Format::Gltf, gltf::MAGIC),
-];
+/// A format that classified points are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PointFormat {
+    /// The classes as an array of bytes.
+    Npy,
+    /// Positions, class, score and the attributes of the input, an array each.
+    Npz,
+    /// The same as columns of Apache Parquet.
+    Parquet,
+    /// Positions, class, score and the attributes of the input, binary.
+    Ply,
+    /// The same as PCD, binary.
+    Pcd,
+    /// The same as text with blanks.
+    Xyz,
+    /// The same as text with commas.
+    Csv,
+    /// The same as LAS 1.4.
+    Las,
+    /// The same as LAZ 1.4.
+    Laz,
+}
 
-const OBJ_KEYWORDS: [&[u8]; 14] =
-    [b"v", b"vn", b"vt", b"vp", b"f", b"l", b"p", b"o", b"g", b"s", b"mtllib", b"usemtl", b"cstype", b"deg"];
+/// A format that patches are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PatchFormat {
+    /// The schema `lineament-network/1` with loops, sides and surfaces.
+    Json,
+    /// The loops as 3D polylines, a layer a patch.
+    Dxf,
+    /// The points with the patch of each.
+    Points(PointFormat),
+}
 
-impl fmt::Display for Format {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = FORMATS.iter().find(|(format, ..)| format == self).map_or("?", |(_, name, _)| name);
-        f.write_str(name)
-    }
+/// A format that sections are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SectionFormat {
+    /// The documented schema `lineament-section/1`.
+    Json,
+    /// Wavefront lines, a group a slice.
+    Obj,
+    /// Vertices and edges, binary.
+    Ply,
+    /// Lines, arcs, circles and polylines, release 12, a layer a slice; names of the runs as texts.
+    Dxf,
+    /// A sheet with all slices side by side.
+    Svg,
+    /// Polygons with their holes, and lines.
+    GeoJson,
 }
 
 impl Format {
     /// The format that an extension (without its dot, in any case) or a name stands for.
     pub fn parse(text: &str) -> Option<Format> {
-        let text = text.to_ascii_lowercase();
-        let is = |(_, name, extensions): &(Format, &str, &[&str])| {
-            name.eq_ignore_ascii_case(&text) || extensions.contains(&text.as_str())
+        let is = |f: &&FileFormat| {
+            let mut names = f.extensions.iter().chain([&f.name]);
+            f.read.is_some() && names.any(|name| name.eq_ignore_ascii_case(text))
         };
-        FORMATS.iter().find(|entry| is(entry)).map(|entry| entry.0)
+        FORMATS.iter().find(is)?.read
     }
 
-    /// The format of an input that begins with `start` (several kilobytes, or all of it), has `length` bytes if that
-    /// is known, and is called `name`.
-    pub(crate) fn detect(start: &[u8], length: Option<u64>, name: &str) -> Result<Format, Error> {
-        if start.is_empty() {
-            return Err(Error::Empty { name: name.into() });
+    /// All formats that are read.
+    pub fn all() -> Vec<Format> {
+        let mut all = Vec::new();
+        for format in FORMATS.iter().filter_map(|f| f.read) {
+            if !all.contains(&format) {
+                all.push(format);
+            }
         }
-        let named = Path::new(name).extension().and_then(|e| e.to_str()).and_then(Format::parse);
-        let found = by_magic(start).or_else(|| stl(start, length, named)).or_else(|| by_text(start, named));
-        found.ok_or_else(|| unknown(start, named, name))
+        all
     }
 }
 
-fn unknown(start: &[u8], named: Option<Format>, name: &str) -> Error {
-    let names: Vec<&str> = FORMATS.iter().map(|(_, name, _)| *name).collect();
-    let known = format!("known formats are {}", names.join(", "));
-    let advice = if start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff") {
-        "it looks like UTF-16 text: save it as UTF-8".into()
-    } else {
-        match named {
-            Some(format) => format!("the name says {format}, the content does not; {known}"),
-            None => known,
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(FORMATS.iter().find(|row| row.read == Some(*self)).map_or("?", |row| row.name))
+    }
+}
+
+/// The format of a network output by its extension; `-`, standard output, is JSON.
+///
+/// # Errors
+/// [`Error::UnknownOutput`] with the extensions that are known.
+pub fn network_format(path: &Path) -> Result<NetworkFormat, Error> {
+    by_extension(path, "networks", NetworkFormat::Json, |f| f.network)
+}
+
+/// The format of a point output by its extension; `-`, standard output, is NPY.
+///
+/// # Errors
+/// [`Error::UnknownOutput`] with the extensions that are known.
+pub fn point_format(path: &Path) -> Result<PointFormat, Error> {
+    by_extension(path, "points", PointFormat::Npy, |f| f.points)
+}
+
+/// The format of an output of patches by its extension; `-`, standard output, is JSON.
+///
+/// # Errors
+/// [`Error::UnknownOutput`] with the extensions that are known.
+pub fn patch_format(path: &Path) -> Result<PatchFormat, Error> {
+    by_extension(path, "patches", PatchFormat::Json, |f| f.patches)
+}
+
+/// The format of a section output by its extension; `-`, standard output, is JSON.
+///
+/// # Errors
+/// [`Error::UnknownOutput`] with the extensions that are known.
+pub fn section_format(path: &Path) -> Result<SectionFormat, Error> {
+    by_extension(path, "sections", SectionFormat::Json, |f| f.section)
+}
+
+fn by_extension<T: Copy>(
+    path: &Path,
+    kind: &'static str,
+    standard: T,
+    written: fn(&FileFormat) -> Written<T>,
+) -> Result<T, Error> {
+    if path.as_os_str() == "-" {
+        return Ok(standard);
+    }
+    let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+    let named = |f: &&FileFormat| f.extensions.iter().any(|e| e.eq_ignore_ascii_case(extension));
+    let found = FORMATS.iter().filter(named).find_map(written);
+    found.map(|(format, _)| format).ok_or_else(|| {
+        let known = listed(written).into_iter().map(|(extension, _)| format!(".{extension}"));
+        let known = known.collect::<Vec<String>>().join(", ");
+        Error::UnknownOutput { name: path.display().to_string(), kind, known }
+    })
+}
+
+/// The usual extension and the help line of each format with this use.
+fn listed<T>(written: fn(&FileFormat) -> Written<T>) -> Vec<(&'static str, &'static str)> {
+    FORMATS.iter().filter_map(|f| Some((*f.extensions.first()?, written(f)?.1))).collect()
+}
+
+/// The formats with this use for a help text: extensions and what each holds, formats that hold the same on one line.
+///
+/// ```
+/// let help = lineament_io::format_help(|format| format.network);
+/// assert!(help.contains("  .geojson  line strings and points"));
+/// ```
+pub fn format_help<T>(written: fn(&FileFormat) -> Written<T>) -> String {
+    let mut lines: Vec<(String, &str)> = Vec::new();
+    for (extension, help) in listed(written) {
+        match lines.iter_mut().find(|(_, line)| *line == help) {
+            Some((extensions, _)) => *extensions += &format!(" .{extension}"),
+            None => lines.push((format!(".{extension}"), help)),
         }
-    };
-    Error::UnknownFormat { name: name.into(), found: shown(&start[..start.len().min(16)]), advice }
-}
-
-fn by_magic(start: &[u8]) -> Option<Format> {
-    let word =
-        |word: &[u8]| start.starts_with(word) && start.get(word.len()).is_none_or(u8::is_ascii_whitespace);
-    if word(b"ply") {
-        return Some(Format::Ply);
     }
-    if [b"VERSION" as &[u8], b"FIELDS", b"COLUMNS"].into_iter().any(word) {
-        return Some(Format::Pcd);
-    }
-    MAGIC.iter().find(|(_, magic)| start.starts_with(magic)).map(|(format, _)| *format)
-}
-
-/// STL has no magic: binary is told by its length, or by its name where the length does not fit.
-fn stl(start: &[u8], length: Option<u64>, named: Option<Format>) -> Option<Format> {
-    let cut = named == Some(Format::Stl) && start.contains(&0);
-    (stl::is_binary(start, length) || stl::is_ascii(start) || cut).then_some(Format::Stl)
-}
-
-/// Text is what its first statement says, or by its name what has none, and otherwise a table.
-fn by_text(start: &[u8], named: Option<Format>) -> Option<Format> {
-    let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start);
-    if start.contains(&0) {
-        return None;
-    }
-    if ptx::begins(start) {
-        return Some(Format::Ptx);
-    }
-    if start.trim_ascii_start().starts_with(b"{") {
-        return (named == Some(Format::Gltf) || gltf::begins(start)).then_some(Format::Gltf);
-    }
-    let mut lines = start.split(|&b| b == b'\n' || b == b'\r');
-    let statement = lines.find_map(|line| tokens(line).next().filter(|t| !t.starts_with(b"#")));
-    match statement {
-        Some(word) if OBJ_KEYWORDS.contains(&word) => Some(Format::Obj),
-        Some(word) if off::is_keyword(word) => Some(Format::Off),
-        None if named == Some(Format::Obj) => Some(Format::Obj),
-        Some(_) if named == Some(Format::Off) => Some(Format::Off),
-        Some(_) if named.is_some_and(|format| format != Format::Table && format != Format::Obj) => None,
-        _ => Some(Format::Table),
-    }
+    let width = lines.iter().map(|(extensions, _)| extensions.len()).max().unwrap_or(0);
+    let lines = lines.iter().map(|(extensions, help)| format!("  {extensions:width$}  {help}"));
+    lines.collect::<Vec<String>>().join("\n")
 }

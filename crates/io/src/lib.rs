@@ -15,24 +15,21 @@
 mod columns;
 mod error;
 mod format;
-mod half;
 mod number;
 mod output;
 mod quiet;
 mod read;
 mod source;
 mod write;
-mod zip;
 
 pub use error::{Error, Place};
-pub use format::Format;
+pub use format::{
+    FORMATS, FileFormat, Format, NetworkFormat, PatchFormat, PointFormat, SectionFormat, Written,
+    format_help, network_format, patch_format, point_format, section_format,
+};
 pub use output::{Output, check_output};
 pub use read::{LasFrame, LasRecord, Missing, ReadOptions, Scan, read, read_all, read_from};
 pub use write::{
-    NetworkContext, NetworkFormat, Parameter, PatchFormat, PointFormat, PointTable, network_format,
-    patch_format, point_format, write_network, write_network_to, write_patches, write_points,
-    write_points_to, write_stages,
-};
-pub use write::{
-    SectionContext, SectionFormat, section_format, write_sections, write_sections_to, write_slice_picture,
+    NetworkContext, Parameter, PointTable, SectionContext, write_network, write_network_to, write_patches,
+    write_points, write_points_to, write_sections, write_sections_to, write_slice_picture, write_stages,
 };

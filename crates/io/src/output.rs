@@ -96,6 +96,20 @@ impl Output {
         Ok(Output { name, target, temporary, writer: Writer::File(BufWriter::with_capacity(BUFFER, file)) })
     }
 
+    /// Writes a whole output: creates it at `path`, which must be none of `inputs`, lets `write` fill it, and finishes it.
+    ///
+    /// # Errors
+    /// Those of [`Output::create`], and [`Error::Io`] for a failed write.
+    pub fn whole(
+        path: &Path,
+        inputs: &[PathBuf],
+        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), Error> {
+        let mut output = Output::create(path, inputs)?;
+        write(&mut output).map_err(|source| output.failed(source))?;
+        output.finish()
+    }
+
     /// Syncs what was written and puts it in its place.
     ///
     /// # Errors

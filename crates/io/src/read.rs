@@ -1,22 +1,24 @@
 //! From an input to a cloud: opening, recognising, dispatching.
+mod detect;
 mod e57;
-pub(crate) mod expe;
-pub(crate) mod gltf;
+mod expe;
+mod gltf;
 mod join;
 pub(crate) mod las;
 mod limit;
-pub(crate) mod npy;
+mod npy;
 mod npz;
 mod obj;
-pub(crate) mod off;
-pub(crate) mod parquet;
+mod off;
+mod parquet;
 mod pcd;
 mod ply;
-pub(crate) mod ptx;
-pub(crate) mod rows;
+mod ptx;
+mod rows;
 mod select;
-pub(crate) mod stl;
+mod stl;
 mod table;
+pub(crate) mod zip;
 
 use crate::error::{Error, printable};
 use crate::format::Format;
@@ -174,7 +176,7 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
     let start = source.peek(1)?;
     let format = match options.format {
         Some(format) if !start.is_empty() => format,
-        _ => Format::detect(start, length, &name)?,
+        _ => detect::detect(start, length, &name)?,
     };
     let decoded = match format {
         Format::Ply => ply::read(&mut source, options)?,

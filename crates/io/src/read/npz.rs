@@ -3,11 +3,11 @@
 
 use super::npy::{self, Header};
 use super::rows::Field;
+use super::zip::{self, Entry};
 use super::{Decoded, ReadOptions, limit};
 use crate::columns::{Scalar, get};
 use crate::error::{Error, Place};
 use crate::source::{Shared, Source};
-use crate::zip::{self, Entry};
 use lineament::{Attribute, Cloud, Column};
 
 /// Share of the bound on memory that an array stands for: its stream is opened with buffers of its own.

@@ -1,37 +1,17 @@
-//! Patches to files: labelled points, loops and surfaces, or loops by layers.
+//! Patches: labelled points, loops with surfaces (JSON), or loops by layers (DXF).
 
-use super::{NetworkContext, PointFormat, PointTable, check, dxf, json};
+use super::check;
+use super::encode::dxf;
+use super::network::dxf::extent;
+use super::network::{NetworkContext, json};
+use super::points::{PointTable, write_points_to};
 use crate::error::Error;
+use crate::format::{PatchFormat, patch_format};
 use crate::output::Output;
 use lineament::patch::Loop;
 use lineament::{Network, Patches};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-
-/// What patches are written as.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum PatchFormat {
-    /// The schema `lineament-network/1` with loops, sides and surfaces.
-    Json,
-    /// The loops as 3D polylines, a layer a patch.
-    Dxf,
-    /// The points with the patch of each.
-    Points(PointFormat),
-}
-
-/// The format of an output of patches by its extension; `-`, standard output, is JSON.
-///
-/// # Errors
-/// [`Error::UnknownOutput`] with the extensions that are known.
-pub fn patch_format(path: &Path) -> Result<PatchFormat, Error> {
-    let points = super::POINT_FORMATS.iter().filter(|f| f.0 != PointFormat::Npy);
-    let known: Vec<(PatchFormat, &str)> = [(PatchFormat::Json, "json"), (PatchFormat::Dxf, "dxf")]
-        .into_iter()
-        .chain(points.map(|&(format, name)| (PatchFormat::Points(format), name)))
-        .collect();
-    super::by_extension(path, "patches", PatchFormat::Json, &known)
-}
 
 /// Writes patches to a file, whole or not at all, in the format of the extension. `table` holds the points with an attribute
 /// that says which patch each belongs to, and `context` the patches. `path` must be none of `inputs`.
@@ -50,32 +30,28 @@ pub fn write_patches(
     let inconsistent = |what| Error::Inconsistent { name: path.display().to_string(), what };
     check::network(network).map_err(inconsistent)?;
     check::points(table).map_err(inconsistent)?;
-    let mut output = Output::create(path, inputs)?;
-    let out: &mut dyn Write = &mut output;
     let none = Patches::default();
     let patches = context.patches.as_ref().unwrap_or(&none);
-    match format {
+    Output::whole(path, inputs, |out| match format {
         PatchFormat::Json => json::write(out, network, context),
         PatchFormat::Dxf => loops(out, network, patches),
-        PatchFormat::Points(format) => super::write_points_to(out, format, table),
-    }
-    .map_err(|source| output.failed(source))?;
-    output.finish()
+        PatchFormat::Points(format) => write_points_to(out, format, table),
+    })
 }
 
 /// Each loop as one 3D POLYLINE on the layer of its patch.
 fn loops(out: &mut dyn Write, network: &Network, patches: &Patches) -> io::Result<()> {
-    dxf::header(out, network)?;
-    let layers: Vec<(String, u8)> =
-        (0..patches.patches.len()).map(|p| (layer(p), (p % 6 + 1) as u8)).collect();
-    dxf::tables(out, &layers)?;
-    write!(out, "0\nSECTION\n2\nENTITIES\n")?;
+    let layers: Vec<dxf::Layer> = (0..patches.patches.len()).map(|p| (layer(p), (p % 6 + 1) as u8)).collect();
+    dxf::begin(out, extent(network), &layers)?;
     for (p, patch) in patches.patches.iter().enumerate() {
         for boundary in &patch.loops {
-            dxf::polyline_on(out, &layer(p), &points(network, boundary), boundary.closed)?;
+            let points = points(network, boundary);
+            if points.len() > 1 {
+                dxf::polyline(out, &layer(p), &points, boundary.closed)?;
+            }
         }
     }
-    write!(out, "0\nENDSEC\n0\nEOF\n")
+    dxf::end(out)
 }
 
 fn layer(patch: usize) -> String {

@@ -1,75 +1,22 @@
-//! From sections to files.
+//! Sections: one file for each format.
 
+mod context;
 mod dxf;
 mod geojson;
 mod json;
 mod obj;
 mod ply;
+mod ring;
 mod svg;
 
-use super::by_extension;
+pub use context::SectionContext;
+
 use crate::error::Error;
+use crate::format::{SectionFormat, section_format};
 use crate::output::Output;
-use lineament::section::{Contour, Sections, Stack};
-use std::fmt;
+use lineament::section::Sections;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-
-/// What a file says of sections beside the curves.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SectionContext {
-    /// Version of the program.
-    pub program_version: String,
-    /// The input as it was named.
-    pub input_name: String,
-    /// SHA-256 of the input's bytes in hexadecimal, if it was computed.
-    pub input_sha256: Option<String>,
-    /// Rows of the input.
-    pub input_points: u64,
-    /// What the stack of slices says; empty if it was not asked.
-    pub stack: Stack,
-}
-
-/// A format that sections are written in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum SectionFormat {
-    /// The documented schema `lineament-section/1`.
-    Json,
-    /// Wavefront lines, a group a slice.
-    Obj,
-    /// Vertices and edges, binary.
-    Ply,
-    /// Lines, arcs, circles and polylines, release 12, a layer a slice; names of the runs as texts.
-    Dxf,
-    /// A sheet with all slices side by side.
-    Svg,
-    /// Polygons with their holes, and lines.
-    GeoJson,
-}
-
-const FORMATS: [(SectionFormat, &str); 6] = [
-    (SectionFormat::Json, "json"),
-    (SectionFormat::Obj, "obj"),
-    (SectionFormat::Ply, "ply"),
-    (SectionFormat::Dxf, "dxf"),
-    (SectionFormat::Svg, "svg"),
-    (SectionFormat::GeoJson, "geojson"),
-];
-
-impl fmt::Display for SectionFormat {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(FORMATS.iter().find(|(format, _)| format == self).map_or("?", |(_, name)| name))
-    }
-}
-
-/// The format of a section output by its extension; `-`, standard output, is JSON.
-///
-/// # Errors
-/// [`Error::UnknownOutput`] with the extensions that are known.
-pub fn section_format(path: &Path) -> Result<SectionFormat, Error> {
-    by_extension(path, "sections", SectionFormat::Json, &FORMATS)
-}
 
 /// Writes sections to a file, whole or not at all, in the format of the extension. `path` must be none of `inputs`.
 ///
@@ -82,9 +29,7 @@ pub fn write_sections(
     context: &SectionContext,
 ) -> Result<(), Error> {
     let format = section_format(path)?;
-    let mut output = Output::create(path, inputs)?;
-    write_sections_to(&mut output, format, sections, context).map_err(|source| output.failed(source))?;
-    output.finish()
+    Output::whole(path, inputs, |out| write_sections_to(out, format, sections, context))
 }
 
 /// Writes sections to a stream.
@@ -117,13 +62,5 @@ pub fn write_slice_picture(
     sections: &Sections,
     plane: usize,
 ) -> Result<(), Error> {
-    let mut output = Output::create(path, inputs)?;
-    svg::write_one(&mut output, sections, plane).map_err(|source| output.failed(source))?;
-    output.finish()
-}
-
-/// Vertex indices of a contour in order, the first again at the end of a closed one; `first` is its first vertex.
-fn ring(contour: &Contour, first: usize) -> impl Iterator<Item = usize> {
-    let n = contour.points.len();
-    (first..first + n).chain(contour.closed.then_some(first))
+    Output::whole(path, inputs, |out| svg::write_one(out, sections, plane))
 }

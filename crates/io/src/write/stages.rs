@@ -1,9 +1,11 @@
 //! What the method `segments` went through: a file for each graph of Demarsin et al. 2007, figures 1 to 3, and their counts and
 //! times as in its tables 1 and 2.
 
-use super::json::{Number, Text, lines};
-use super::{PointFormat, PointTable, write_points_to};
+use super::encode::json::{Number, Text, lines};
+use super::encode::ply;
+use super::points::{PointTable, write_points_to};
 use crate::error::Error;
+use crate::format::PointFormat;
 use crate::output::Output;
 use lineament::ClusterStages;
 use lineament::pattern::LineGraph;
@@ -28,9 +30,7 @@ pub fn write_stages(
     let mut written = Vec::new();
     let mut file = |name: &str, write: &dyn Fn(&mut dyn Write) -> io::Result<()>| {
         let path = folder.join(name);
-        let mut output = Output::create(&path, inputs)?;
-        write(&mut output).map_err(|source| output.failed(source))?;
-        output.finish()?;
+        Output::whole(&path, inputs, |out| write(out))?;
         written.push(path);
         Ok::<(), Error>(())
     };
@@ -67,26 +67,17 @@ fn segmentation(
 /// The vertices that have edges, with the input row of the point that each stands for, and the edges.
 fn graph(out: &mut dyn Write, found: &Extraction, lines: &LineGraph) -> io::Result<()> {
     let members: Vec<usize> = (0..lines.edges.len()).filter(|&v| !lines.edges[v].is_empty()).collect();
-    let mut number = vec![0u32; lines.edges.len()];
-    members.iter().enumerate().for_each(|(n, &v)| number[v] = n as u32);
-    write!(
-        out,
-        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n\
-         property double z\nproperty int point\nelement edge {}\nproperty int vertex1\nproperty int vertex2\n\
-         end_header\n",
-        members.len(),
-        lines.edge_count()
-    )?;
+    let mut number = vec![0usize; lines.edges.len()];
+    members.iter().enumerate().for_each(|(n, &v)| number[v] = n);
+    let elements = [ply::vertices(members.len(), &[("int", "point")]), ply::edges(lines.edge_count(), &[])];
+    ply::header(out, &[], &elements)?;
     for &v in &members {
-        for x in found.frame.to_world(lines.positions[v]) {
-            out.write_all(&x.to_le_bytes())?;
-        }
-        out.write_all(&found.source[lines.points[v] as usize].to_le_bytes())?;
+        let point = found.source[lines.points[v] as usize].to_le_bytes();
+        ply::vertex(out, found.frame.to_world(lines.positions[v]), &point)?;
     }
     for &v in &members {
         for &w in lines.edges[v].iter().filter(|&&w| w as usize > v) {
-            out.write_all(&number[v].to_le_bytes())?;
-            out.write_all(&number[w as usize].to_le_bytes())?;
+            ply::edge(out, [number[v], number[w as usize]], &[])?;
         }
     }
     Ok(())

@@ -2,7 +2,7 @@
 //! form of a network's: points, closed; with the index of their plane.
 
 use super::SectionContext;
-use crate::write::json::{Number, Point, Text, lines, list};
+use crate::write::encode::json::{Head, Number, Point, Text, lines, list};
 use lineament::curve::BSpline;
 use lineament::section::{Contour, CurvePiece, CurveShape, Feature, Mirror, Repeat, Run, Section, Sections};
 use rayon::prelude::*;
@@ -13,15 +13,14 @@ const SCHEMA: &str = "lineament-section/1";
 
 /// Writes sections: a line a plane, a line a contour, a line a feature.
 pub(super) fn write(out: &mut dyn Write, sections: &Sections, context: &SectionContext) -> io::Result<()> {
-    let SectionContext { program_version, input_name, input_sha256, input_points, stack } = context;
-    writeln!(out, "{{\n\"schema\": {},", Text(SCHEMA))?;
-    writeln!(out, "\"program\": {{\"name\": \"lineament\", \"version\": {}}},", Text(program_version))?;
-    write!(out, "\"input\": {{\"name\": {}, \"sha256\": ", Text(input_name))?;
-    match input_sha256 {
-        Some(hash) => write!(out, "{}", Text(hash))?,
-        None => write!(out, "null")?,
+    Head {
+        schema: SCHEMA,
+        version: &context.program_version,
+        input: &context.input_name,
+        sha256: context.input_sha256.as_deref(),
+        points: context.input_points,
     }
-    writeln!(out, ", \"points\": {input_points}}},\n\"frame\": \"input\",\n\"unit\": \"input\",")?;
+    .write(out)?;
     let [u, v, w] = &sections.frame.axes;
     writeln!(out, "\"axes\": [{}, {}, {}],", Point(u), Point(v), Point(w))?;
     writeln!(out, "\"spacing\": {},", Number(sections.spacing))?;
@@ -36,11 +35,11 @@ pub(super) fn write(out: &mut dyn Write, sections: &Sections, context: &SectionC
     write!(out, "],\n\"strips\": [")?;
     strips(out, &all)?;
     write!(out, "],\n\"features\": [")?;
-    lines(out, &stack.runs, run)?;
+    lines(out, &context.stack.runs, run)?;
     write!(out, "],\n\"mirrors\": [")?;
-    lines(out, &stack.mirrors, mirror)?;
+    lines(out, &context.stack.mirrors, mirror)?;
     write!(out, "],\n\"repeats\": [")?;
-    lines(out, &stack.repeats, repeat)?;
+    lines(out, &context.stack.repeats, repeat)?;
     writeln!(out, "]\n}}")
 }
 

@@ -1,6 +1,6 @@
 //! Sections as Wavefront lines, a group a slice.
 
-use super::ring;
+use super::ring::ring;
 use lineament::section::Sections;
 use std::io::{self, Write};
 

@@ -2,7 +2,7 @@
 //! format has a place for them, and otherwise as extra bytes too.
 
 use super::PointTable;
-use super::point_rows::{names, put};
+use super::rows::{names, put};
 use crate::columns::{Number, Scalar, get};
 use crate::quiet;
 use crate::read::las::points::{Dimension, standard};

@@ -1,10 +1,6 @@
 //! The part of the ZIP format (APPNOTE 6.3) that NPZ files need: entries that are stored or deflated, ZIP64 where
 //! sizes ask for it.
 
-mod write;
-
-pub(crate) use write::ZipWriter;
-
 use crate::columns::{Endian, Number};
 use crate::error::{Error, Place};
 use crate::source::{Shared, Source, Window};
@@ -12,11 +8,11 @@ use flate2::read::DeflateDecoder;
 use std::io::{self, BufReader, Read, Take};
 
 /// First bytes of the parts of an archive.
-const LOCAL: &[u8] = b"PK\x03\x04";
-const CENTRAL: &[u8] = b"PK\x01\x02";
-const END: &[u8] = b"PK\x05\x06";
-const END_64: &[u8] = b"PK\x06\x06";
-const LOCATOR: &[u8] = b"PK\x06\x07";
+pub(crate) const LOCAL: &[u8] = b"PK\x03\x04";
+pub(crate) const CENTRAL: &[u8] = b"PK\x01\x02";
+pub(crate) const END: &[u8] = b"PK\x05\x06";
+pub(crate) const END_64: &[u8] = b"PK\x06\x06";
+pub(crate) const LOCATOR: &[u8] = b"PK\x06\x07";
 /// Bytes of an end record, and the most that a comment adds.
 const END_BYTES: u64 = 22;
 const COMMENT: u64 = 65_535;

@@ -1,7 +1,7 @@
 //! Classified points as Parquet: x, y and z as double, class, score, and every attribute of the input in its type.
 
 use super::PointTable;
-use super::point_rows::names;
+use super::rows::names;
 use crate::columns::Scalar;
 use ::parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
 use ::parquet::data_type::{DataType, DoubleType, FloatType, Int32Type, Int64Type};

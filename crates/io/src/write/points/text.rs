@@ -1,7 +1,7 @@
 //! Classified points as text: XYZ with blanks, CSV with commas; the first line names the columns.
 
 use super::PointTable;
-use super::point_rows::{names, text};
+use super::rows::{names, text};
 use std::io::{self, Write};
 
 /// Writes a line a point. Numbers are the shortest decimals that give the same value back. Names in XYZ stand behind

@@ -1,7 +1,7 @@
 //! A network as Wavefront OBJ lines: a vertex a node, and one `l` statement a strip.
 
 use super::NetworkContext;
-use super::polyline::Polylines;
+use crate::write::encode::polyline::Polylines;
 use lineament::Network;
 use std::io::{self, Write};
 

@@ -2,7 +2,7 @@
 //! the input, their attributes, and the reference system of the input.
 
 use super::NetworkContext;
-use super::sqlite::{Table, Value, database};
+use crate::write::encode::sqlite::{Table, Value, database};
 use lineament::{Network, Node, Strip};
 use std::io::{self, Write};
 

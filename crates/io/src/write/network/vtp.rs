@@ -1,6 +1,6 @@
 //! A network as VTK polygonal data (`.vtp`), ascii, with double coordinates: a polyline a strip, a vertex a node.
 
-use super::polyline::Polylines;
+use crate::write::encode::polyline::Polylines;
 use lineament::{Network, NodeKind, StripKind};
 use std::fmt::Display;
 use std::io::{self, Write};

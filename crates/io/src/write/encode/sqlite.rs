@@ -5,7 +5,7 @@
 mod record;
 mod tree;
 
-pub(super) use record::Value;
+pub(in crate::write) use record::Value;
 
 use std::io;
 use tree::Pages;
@@ -16,7 +16,7 @@ pub(super) const PAGE: usize = 4096;
 const HEADER: usize = 100;
 
 /// A table.
-pub(super) struct Table {
+pub(in crate::write) struct Table {
     pub name: &'static str,
     pub sql: String,
     /// Rows with their ids, in ascending order. A column that is the id itself holds `Value::Null`.
@@ -29,7 +29,7 @@ pub(super) struct Table {
 ///
 /// # Errors
 /// More than 2^32 pages, or statements that do not fit the first page.
-pub(super) fn database(tables: &[Table], application: u32, version: u32) -> io::Result<Vec<u8>> {
+pub(in crate::write) fn database(tables: &[Table], application: u32, version: u32) -> io::Result<Vec<u8>> {
     let mut pages = Pages::default();
     let mut schema: Vec<Vec<Value>> = Vec::new();
     for table in tables {

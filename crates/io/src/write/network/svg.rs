@@ -1,7 +1,7 @@
 //! A network as an SVG drawing in millimetres: an orthographic view from a given direction, or from the best one.
 
 use super::NetworkContext;
-use super::polyline::Polylines;
+use crate::write::encode::polyline::Polylines;
 use lineament::math::vec3::{cross, dot, sub, unit};
 use lineament::{Network, StripKind};
 use std::io::{self, Write};

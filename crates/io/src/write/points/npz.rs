@@ -2,9 +2,9 @@
 
 use super::PointTable;
 use super::npy;
-use super::point_rows::names;
+use super::rows::names;
 use crate::columns::{Number, Scalar, each_column};
-use crate::zip::ZipWriter;
+use crate::write::encode::zip::ZipWriter;
 use std::io::{self, Write};
 
 /// Numbers whose bytes are gathered before they go out.

@@ -1,6 +1,6 @@
 //! A patch as an object of the schema `lineament-network/1`.
 
-use super::{Number, Point, list};
+use crate::write::encode::json::{Number, Point, list};
 use lineament::Patch;
 use lineament::patch::{Fit, Loop, Surface};
 use std::io::{self, Write};

@@ -2,7 +2,7 @@
 //! name of another reference system stands in the member `crs` of the 2008 specification, which GDAL and QGIS read.
 
 use super::NetworkContext;
-use super::json::{Index, Number, Point, Text};
+use crate::write::encode::json::{Index, Number, Point, Text};
 use lineament::Network;
 use std::io::{self, Write};
 

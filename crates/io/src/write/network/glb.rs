@@ -2,7 +2,7 @@
 //! stored relative to the middle of the network, which stands in the scene as a translation. The format's y points up:
 //! a rotation turns the z of scans there.
 
-use super::polyline::Polylines;
+use crate::write::encode::polyline::Polylines;
 use lineament::{Network, StripKind};
 use std::io::{self, Write};
 

@@ -3,7 +3,7 @@
 use lineament::{Network, Strip};
 
 /// All vertices of a network and every strip's way through them.
-pub(super) struct Polylines {
+pub(in crate::write) struct Polylines {
     /// The nodes first, by their ids, then the inner points of the strips.
     pub vertices: Vec<[f64; 3]>,
     /// A strip's vertices in order. The first vertex of a closed strip is repeated at its end.

@@ -1,6 +1,6 @@
 //! Writing archives of stored entries, with sizes of 64 bits throughout.
 
-use super::{CENTRAL, END, END_64, LOCAL, LOCATOR};
+use crate::read::zip::{CENTRAL, END, END_64, LOCAL, LOCATOR};
 use std::io::{self, Write};
 
 /// Version of the format that ZIP64 needs, and the date 1980-01-01: the time of writing would make bytes differ.
@@ -8,7 +8,7 @@ const VERSION: u16 = 45;
 const DATE: u16 = 0x21;
 
 /// Writes the bytes of an entry, the same whenever it is called.
-pub(crate) type Content<'a> = &'a dyn Fn(&mut dyn Write) -> io::Result<()>;
+pub(in crate::write) type Content<'a> = &'a dyn Fn(&mut dyn Write) -> io::Result<()>;
 
 /// What is known of an entry before it is written.
 #[derive(Default)]
@@ -30,7 +30,7 @@ impl Write for Counted {
 }
 
 /// An archive in the making.
-pub(crate) struct ZipWriter<'a> {
+pub(in crate::write) struct ZipWriter<'a> {
     out: &'a mut dyn Write,
     at: u64,
     directory: Vec<u8>,

@@ -1,0 +1,115 @@
+//! The table of formats. A new format is a row here, a variant of an enum in `format.rs`, and a file in `read/` or `write/`.
+
+use super::{FileFormat, Format, NetworkFormat, PatchFormat, PointFormat, SectionFormat};
+
+/// Help lines of the formats that hold points.
+const POINTS: &str = "the points and their attributes, with class and score";
+const LABELS: &str = "the points and their attributes, with the patch of each; -1 for none";
+
+/// A format without a use.
+const fn named(name: &'static str, extensions: &'static [&'static str]) -> FileFormat {
+    FileFormat { name, extensions, read: None, network: None, points: None, patches: None, section: None }
+}
+
+/// A format of points, classified or labelled by patch.
+const fn of_points(
+    name: &'static str,
+    extensions: &'static [&'static str],
+    format: PointFormat,
+) -> FileFormat {
+    FileFormat {
+        points: Some((format, POINTS)),
+        patches: Some((PatchFormat::Points(format), LABELS)),
+        ..named(name, extensions)
+    }
+}
+
+/// All formats. Lists in messages and help texts have this order; of several rows that are read alike the first gives the
+/// name.
+pub const FORMATS: &[FileFormat] = &[
+    FileFormat {
+        network: Some((NetworkFormat::Json, "everything found, in the schema lineament-network/1")),
+        patches: Some((
+            PatchFormat::Json,
+            "loops, neighbours, areas and surfaces, in the schema lineament-network/1",
+        )),
+        section: Some((SectionFormat::Json, "everything found, in the schema lineament-section/1")),
+        ..named("JSON", &["json"])
+    },
+    FileFormat {
+        read: Some(Format::Ply),
+        network: Some((NetworkFormat::Ply, "vertices and edges")),
+        section: Some((SectionFormat::Ply, "vertices and edges")),
+        ..of_points("PLY", &["ply"], PointFormat::Ply)
+    },
+    FileFormat {
+        read: Some(Format::Obj),
+        network: Some((NetworkFormat::Obj, "lines")),
+        section: Some((SectionFormat::Obj, "lines, a group for each slice")),
+        ..named("OBJ", &["obj"])
+    },
+    FileFormat {
+        network: Some((NetworkFormat::Dxf, "3D polylines and points, a layer for each kind")),
+        patches: Some((PatchFormat::Dxf, "the loops as 3D polylines, a layer for each patch")),
+        section: Some((
+            SectionFormat::Dxf,
+            "lines, arcs and circles, a layer for each slice, and the names of holes, extrusions, ...",
+        )),
+        ..named("DXF", &["dxf"])
+    },
+    FileFormat {
+        network: Some((NetworkFormat::Svg, "a drawing in millimetres, seen from --view")),
+        section: Some((SectionFormat::Svg, "a sheet with all slices")),
+        ..named("SVG", &["svg"])
+    },
+    FileFormat {
+        network: Some((
+            NetworkFormat::GeoJson,
+            "line strings and points, with the reference system of the input",
+        )),
+        section: Some((SectionFormat::GeoJson, "polygons with their holes")),
+        ..named("GeoJSON", &["geojson"])
+    },
+    FileFormat {
+        network: Some((
+            NetworkFormat::GeoPackage,
+            "GeoPackage, layers of lines and nodes with their properties",
+        )),
+        ..named("GeoPackage", &["gpkg"])
+    },
+    FileFormat { read: Some(Format::Gltf), ..named("glTF", &["gltf"]) },
+    FileFormat {
+        read: Some(Format::Gltf),
+        network: Some((NetworkFormat::Glb, "binary glTF lines")),
+        ..named("GLB", &["glb"])
+    },
+    FileFormat { network: Some((NetworkFormat::Vtp, "VTK polygonal data")), ..named("VTP", &["vtp"]) },
+    FileFormat {
+        read: Some(Format::Table),
+        ..named("table", &["txt", "asc", "tsv", "dat", "pts", "xyzn", "xyzrgb", "pwn", "neu"])
+    },
+    FileFormat { read: Some(Format::Table), ..of_points("XYZ", &["xyz"], PointFormat::Xyz) },
+    FileFormat {
+        read: Some(Format::Table),
+        network: Some((NetworkFormat::Csv, "a row for each point of each line")),
+        ..of_points("CSV", &["csv"], PointFormat::Csv)
+    },
+    FileFormat { read: Some(Format::Las), ..of_points("LAS", &["las"], PointFormat::Las) },
+    FileFormat { read: Some(Format::Las), ..of_points("LAZ", &["laz"], PointFormat::Laz) },
+    FileFormat { read: Some(Format::E57), ..named("E57", &["e57"]) },
+    FileFormat { read: Some(Format::Pcd), ..of_points("PCD", &["pcd"], PointFormat::Pcd) },
+    FileFormat { read: Some(Format::Ptx), ..named("PTX", &["ptx"]) },
+    FileFormat { read: Some(Format::Stl), ..named("STL", &["stl"]) },
+    FileFormat { read: Some(Format::Off), ..named("OFF", &["off"]) },
+    FileFormat {
+        read: Some(Format::Npy),
+        points: Some((PointFormat::Npy, "the classes alone, a byte for each point")),
+        ..named("NPY", &["npy"])
+    },
+    FileFormat { read: Some(Format::Npz), ..of_points("NPZ", &["npz"], PointFormat::Npz) },
+    FileFormat {
+        read: Some(Format::Parquet),
+        ..of_points("Parquet", &["parquet", "pq"], PointFormat::Parquet)
+    },
+    FileFormat { read: Some(Format::Expe), ..named("Expe point set", &[]) },
+];

@@ -1,0 +1,89 @@
+//! Recognising the format of an input: by its content first, by its name second.
+
+use super::{expe, gltf, npy, off, parquet, ptx, stl};
+use crate::error::Error;
+use crate::format::Format;
+use crate::number::{shown, tokens};
+use std::path::Path;
+
+/// First bytes of formats that have them.
+const MAGIC: [(Format, &[u8]); 8] = [
+    (Format::Las, b"LASF"),
+    (Format::E57, b"ASTM-E57"),
+    (Format::Npy, npy::MAGIC),
+    (Format::Npz, b"PK\x03\x04"),
+    (Format::Parquet, parquet::MAGIC),
+    (Format::Expe, expe::MAGIC),
+    (Format::Pcd, b"# .PCD"),
+    (Format::Gltf, gltf::MAGIC),
+];
+
+const OBJ_KEYWORDS: [&[u8]; 14] =
+    [b"v", b"vn", b"vt", b"vp", b"f", b"l", b"p", b"o", b"g", b"s", b"mtllib", b"usemtl", b"cstype", b"deg"];
+
+/// The format of an input that begins with `start` (several kilobytes, or all of it), has `length` bytes if that is
+/// known, and is called `name`.
+pub(super) fn detect(start: &[u8], length: Option<u64>, name: &str) -> Result<Format, Error> {
+    if start.is_empty() {
+        return Err(Error::Empty { name: name.into() });
+    }
+    let named = Path::new(name).extension().and_then(|e| e.to_str()).and_then(Format::parse);
+    let found = by_magic(start).or_else(|| stl(start, length, named)).or_else(|| by_text(start, named));
+    found.ok_or_else(|| unknown(start, named, name))
+}
+
+fn unknown(start: &[u8], named: Option<Format>, name: &str) -> Error {
+    let names: Vec<String> = Format::all().iter().map(Format::to_string).collect();
+    let known = format!("known formats are {}", names.join(", "));
+    let advice = if start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff") {
+        "it looks like UTF-16 text: save it as UTF-8".into()
+    } else {
+        match named {
+            Some(format) => format!("the name says {format}, the content does not; {known}"),
+            None => known,
+        }
+    };
+    Error::UnknownFormat { name: name.into(), found: shown(&start[..start.len().min(16)]), advice }
+}
+
+fn by_magic(start: &[u8]) -> Option<Format> {
+    let word =
+        |word: &[u8]| start.starts_with(word) && start.get(word.len()).is_none_or(u8::is_ascii_whitespace);
+    if word(b"ply") {
+        return Some(Format::Ply);
+    }
+    if [b"VERSION" as &[u8], b"FIELDS", b"COLUMNS"].into_iter().any(word) {
+        return Some(Format::Pcd);
+    }
+    MAGIC.iter().find(|(_, magic)| start.starts_with(magic)).map(|(format, _)| *format)
+}
+
+/// STL has no magic: binary is told by its length, or by its name where the length does not fit.
+fn stl(start: &[u8], length: Option<u64>, named: Option<Format>) -> Option<Format> {
+    let cut = named == Some(Format::Stl) && start.contains(&0);
+    (stl::is_binary(start, length) || stl::is_ascii(start) || cut).then_some(Format::Stl)
+}
+
+/// Text is what its first statement says, or by its name what has none, and otherwise a table.
+fn by_text(start: &[u8], named: Option<Format>) -> Option<Format> {
+    let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start);
+    if start.contains(&0) {
+        return None;
+    }
+    if ptx::begins(start) {
+        return Some(Format::Ptx);
+    }
+    if start.trim_ascii_start().starts_with(b"{") {
+        return (named == Some(Format::Gltf) || gltf::begins(start)).then_some(Format::Gltf);
+    }
+    let mut lines = start.split(|&b| b == b'\n' || b == b'\r');
+    let statement = lines.find_map(|line| tokens(line).next().filter(|t| !t.starts_with(b"#")));
+    match statement {
+        Some(word) if OBJ_KEYWORDS.contains(&word) => Some(Format::Obj),
+        Some(word) if off::is_keyword(word) => Some(Format::Off),
+        None if named == Some(Format::Obj) => Some(Format::Obj),
+        Some(_) if named == Some(Format::Off) => Some(Format::Off),
+        Some(_) if named.is_some_and(|format| format != Format::Table && format != Format::Obj) => None,
+        _ => Some(Format::Table),
+    }
+}

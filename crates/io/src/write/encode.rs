@@ -1,0 +1,8 @@
+//! Encoders that several writers share.
+
+pub(super) mod dxf;
+pub(super) mod json;
+pub(super) mod ply;
+pub(super) mod polyline;
+pub(super) mod sqlite;
+pub(super) mod zip;

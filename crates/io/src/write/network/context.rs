@@ -1,0 +1,43 @@
+//! Provenance and settings of a network for its outputs.
+
+use lineament::Patches;
+
+/// What a file says of a network beside the network itself.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct NetworkContext {
+    /// Version of the program that made the network.
+    pub program_version: String,
+    /// The input as it was named.
+    pub input_name: String,
+    /// SHA-256 of the input's bytes in hexadecimal, if it was computed.
+    pub input_sha256: Option<String>,
+    /// Rows of the input, non-finite ones and duplicates included: source indices count these, from 0.
+    pub input_points: u64,
+    /// The method by its name on the command line.
+    pub method: String,
+    /// All parameters as they were used.
+    pub parameters: Vec<Parameter>,
+    /// Mean spacing of the cloud, in the unit of the input.
+    pub spacing: f64,
+    /// Estimated noise (standard deviation across the surface), in the unit of the input.
+    pub noise: Option<f64>,
+    /// The coordinate reference system, as `Scan::crs` gives it.
+    pub crs: Option<String>,
+    /// Its definition in well-known text, if the input holds one.
+    pub crs_wkt: Option<String>,
+    /// The direction in which drawings look; `None` for the best one.
+    pub view: Option<[f64; 3]>,
+    /// Millimetres of a drawing for one unit of the input; `None` fits the drawing to 200 mm.
+    pub millimetres: Option<f64>,
+    /// The patches between the strips, if they were looked for.
+    pub patches: Option<Patches>,
+}
+
+/// A parameter and its value.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Parameter {
+    /// The full key, such as `penalty.rho`.
+    pub key: String,
+    /// The value. Numbers, `true` and `false` are written as such, all else as text.
+    pub value: String,
+}

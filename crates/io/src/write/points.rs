@@ -1,0 +1,51 @@
+//! Classified points: one file for each format.
+
+mod las;
+mod npy;
+mod npz;
+mod parquet;
+mod pcd;
+mod ply;
+mod rows;
+mod table;
+mod text;
+
+pub use table::PointTable;
+
+use super::check;
+use crate::error::Error;
+use crate::format::{PointFormat, point_format};
+use crate::output::Output;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Writes points with class and score to a file, whole or not at all, in the format of the extension. `path`
+/// must be none of `inputs`.
+///
+/// # Errors
+/// Those of [`point_format`] and [`Output::create`], a failed write, and [`Error::Inconsistent`] for columns of
+/// different lengths.
+pub fn write_points(path: &Path, inputs: &[PathBuf], table: &PointTable) -> Result<(), Error> {
+    let format = point_format(path)?;
+    let inconsistent = |what| Error::Inconsistent { name: path.display().to_string(), what };
+    check::points(table).map_err(inconsistent)?;
+    Output::whole(path, inputs, |out| write_points_to(out, format, table))
+}
+
+/// Writes points with class and score to a stream.
+///
+/// # Errors
+/// What the stream says.
+pub fn write_points_to(out: &mut dyn Write, format: PointFormat, table: &PointTable) -> io::Result<()> {
+    match format {
+        PointFormat::Npy => npy::write_classes(out, table.classes),
+        PointFormat::Npz => npz::write(out, table),
+        PointFormat::Parquet => parquet::write(out, table),
+        PointFormat::Ply => ply::write(out, table),
+        PointFormat::Pcd => pcd::write(out, table),
+        PointFormat::Xyz => text::write(out, table, ' '),
+        PointFormat::Csv => text::write(out, table, ','),
+        PointFormat::Las => las::write(out, table, false),
+        PointFormat::Laz => las::write(out, table, true),
+    }
+}

@@ -1,0 +1,17 @@
+//! Points with their classes, as the writers take them.
+
+use crate::read::LasFrame;
+use lineament::Cloud;
+
+/// Points with what was found of them.
+#[derive(Clone, Copy, Debug)]
+pub struct PointTable<'a> {
+    /// The points as they were read.
+    pub cloud: &'a Cloud,
+    /// `(N)` 0 smooth, 1 crease, 2 border, 3 corner.
+    pub classes: &'a [u8],
+    /// `(N)` scores of the detector, or nothing.
+    pub scores: &'a [f32],
+    /// How a LAS input stored its coordinates, for LAS outputs: `Scan::las`.
+    pub las: Option<&'a LasFrame>,
+}

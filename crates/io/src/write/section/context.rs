@@ -1,0 +1,18 @@
+//! Provenance of sections for their outputs.
+
+use lineament::section::Stack;
+
+/// What a file says of sections beside the curves.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SectionContext {
+    /// Version of the program.
+    pub program_version: String,
+    /// The input as it was named.
+    pub input_name: String,
+    /// SHA-256 of the input's bytes in hexadecimal, if it was computed.
+    pub input_sha256: Option<String>,
+    /// Rows of the input.
+    pub input_points: u64,
+    /// What the stack of slices says; empty if it was not asked.
+    pub stack: Stack,
+}
