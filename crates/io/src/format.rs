@@ -172,6 +172,23 @@ impl fmt::Display for Format {
     }
 }
 
+macro_rules! shown_by_extension {
+    ($($format:ty, $written:ident;)*) => {$(
+        impl fmt::Display for $format {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                let is = |row: &&FileFormat| row.$written.is_some_and(|(format, _)| format == *self);
+                f.write_str(FORMATS.iter().find(is).and_then(|row| row.extensions.first()).unwrap_or(&"?"))
+            }
+        }
+    )*};
+}
+
+shown_by_extension! {
+    NetworkFormat, network;
+    PointFormat, points;
+    SectionFormat, section;
+}
+
 /// The format of a network output by its extension; `-`, standard output, is JSON.
 ///
 /// # Errors

@@ -9,6 +9,7 @@ use crate::source::{Input, Source};
 use laz::LazVlr;
 use laz::laszip::ChunkTable;
 use std::io::{Cursor, Read, Seek, SeekFrom};
+use std::ops::Range;
 
 /// A chunk: where it is, how long, and its points.
 pub(super) struct Chunk {
@@ -52,25 +53,50 @@ pub(super) fn chunks(
     let variable = vlr.uses_variable_size_chunks();
     let read = quiet::catch(|| ChunkTable::read(&mut Cursor::new(bytes), variable));
     let Some(Ok(entries)) = read else { return fail("a chunk table that cannot be unpacked".into()) };
-    let (mut start, mut left, mut chunks) = (first, header.points, Vec::new());
-    for index in 0..count as usize {
-        let entry = entries[index];
-        let points = if variable { entry.point_count } else { u64::from(vlr.chunk_size()).min(left) };
-        let end = start.checked_add(entry.byte_count).filter(|&end| end <= table_at);
-        let Some(end) = end.filter(|_| points <= left && entry.byte_count >= packing.record as u64) else {
-            return fail(format!(
-                "chunk {index} of {points} points in {} bytes, which does not fit",
-                entry.byte_count
-            ));
-        };
-        chunks.push(Chunk { start, bytes: entry.byte_count, points });
-        (start, left) = (end, left - points);
-    }
+    let size = (!variable).then(|| u64::from(vlr.chunk_size()));
+    let sized = (0..count as usize).map(|index| {
+        let entry = &entries[index];
+        (entry.byte_count, size.map_or(Points::Counted(entry.point_count), Points::UpTo))
+    });
+    let (mut chunks, left) = match placed(sized, first..table_at, header.points, packing.record as u64) {
+        Ok(placed) => placed,
+        Err(found) => return fail(found),
+    };
     chunks.retain(|chunk| chunk.points > 0);
     if left > 0 {
         return Err(source.ends_early("points", header.points, header.points - left));
     }
     Ok(chunks)
+}
+
+/// Points of a chunk: counted in the table, or as many as are left, up to the chunk size.
+enum Points {
+    Counted(u64),
+    UpTo(u64),
+}
+
+/// Chunks of these bytes and points one after the other within `room`, each of a record at least, and the number of
+/// the file's points that are in none.
+fn placed(
+    sized: impl Iterator<Item = (u64, Points)>,
+    room: Range<u64>,
+    points: u64,
+    record: u64,
+) -> Result<(Vec<Chunk>, u64), String> {
+    let (mut start, mut left, mut chunks) = (room.start, points, Vec::new());
+    for (index, (bytes, points)) in sized.enumerate() {
+        let points = match points {
+            Points::Counted(points) => points,
+            Points::UpTo(size) => size.min(left),
+        };
+        let end = start.checked_add(bytes).filter(|&end| end <= room.end);
+        let Some(end) = end.filter(|_| points <= left && bytes >= record) else {
+            return Err(format!("chunk {index} of {points} points in {bytes} bytes, which does not fit"));
+        };
+        chunks.push(Chunk { start, bytes, points });
+        (start, left) = (end, left - points);
+    }
+    Ok((chunks, left))
 }
 
 /// The compressor as it stands in the record.

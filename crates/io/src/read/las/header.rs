@@ -70,71 +70,79 @@ impl Header {
 
 /// Reads and checks the header; the source stays at the first byte.
 pub(super) fn parse(source: &mut Source) -> Result<Header, Error> {
-    let size = source.size();
     let bytes = source.peek(VERSION_1_4)?;
     let bytes = bytes[..bytes.len().min(VERSION_1_4)].to_vec();
     if bytes.len() < LEAST {
         return Err(source.ends_early("bytes of the header", LEAST as u64, bytes.len() as u64));
     }
+    let header = fields(&bytes);
+    let file = source.remaining().map(|_| source.size());
+    let checks = layout(&bytes, &header, file).and_then(|()| values(&header));
+    checks.map(|()| header).map_err(|Fault(at, found, advice)| source.fault(Place::Byte(at), found, advice))
+}
+
+/// The fields of a header that has the bytes of version 1.0 at least.
+fn fields(bytes: &[u8]) -> Header {
     let get = |at: usize| Fields(&bytes[at.min(bytes.len())..]);
-    let (major, minor) = (bytes[24], bytes[25]);
-    let (header_size, points_at) = (u64::from(get(94).number::<u16>()), u64::from(get(96).number::<u32>()));
-    let fault = |at: u64, found: String, advice: &str| Err(source.fault(Place::Byte(at), found, advice));
-    if major != 1 || minor > 4 {
-        return fault(24, format!("version {major}.{minor}"), "versions 1.0 to 1.4 are read");
-    }
-    if header_size < LEAST as u64 || points_at < header_size {
-        let found = format!("a header of {header_size} bytes with points from byte {points_at}");
-        return fault(
-            94,
-            found,
-            "a header has at least 227 bytes and the points follow it; the file is damaged",
-        );
-    }
-    if source.remaining().is_some() && points_at > size {
-        return fault(
-            96,
-            format!("points from byte {points_at} of a file of {size}"),
-            "the file is cut or damaged",
-        );
-    }
-    let format = bytes[104] & 0x3f;
-    let record_length = usize::from(get(105).number::<u16>());
-    let Some(&least) = RECORD_LENGTHS.get(usize::from(format)) else {
-        return fault(104, format!("point format {format}"), "formats 0 to 10 are read");
-    };
-    if record_length < least {
-        let found = format!("records of {record_length} bytes for point format {format}");
-        return fault(105, found, &format!("it needs at least {least}; the file is damaged"));
-    }
-    let triple = |at: usize| [0, 1, 2].map(|axis| get(at + 8 * axis).number::<f64>());
-    let (scale, offset) = (triple(131), triple(155));
-    if !scale.iter().all(|s| s.is_finite() && *s != 0.0) || !offset.iter().all(|o| o.is_finite()) {
-        let found = format!("coordinate scale {scale:?} and offset {offset:?}");
-        return fault(131, found, "they must be finite and the scale not 0; the file is damaged");
-    }
+    let triple = |at: usize, step: usize| [0, 1, 2].map(|axis| get(at + step * axis).number::<f64>());
+    let (minor, header_size) = (bytes[25], u64::from(get(94).number::<u16>()));
     let current = minor >= 4 && header_size >= VERSION_1_4 as u64;
     let large = if current { get(247).number::<u64>() } else { 0 };
-    let points = if large > 0 { large } else { get(107).number::<u32>().into() };
-    let compressed = bytes[104] & 0xc0 != 0;
-    let records = get(100).number();
-    let extended = if current { (get(235).number(), get(243).number()) } else { (0, 0) };
-    let limit = |at: usize| [0, 1, 2].map(|axis| get(at + 16 * axis).number::<f64>());
-    let bounds = (limit(187), limit(179));
-    Ok(Header {
+    Header {
         minor,
         header_size,
-        points_at,
-        records,
-        extended,
-        format,
-        compressed,
-        record_length,
-        points,
-        scale,
-        offset,
-        bounds,
-    })
+        points_at: u64::from(get(96).number::<u32>()),
+        records: get(100).number(),
+        extended: if current { (get(235).number(), get(243).number()) } else { (0, 0) },
+        format: bytes[104] & 0x3f,
+        compressed: bytes[104] & 0xc0 != 0,
+        record_length: usize::from(get(105).number::<u16>()),
+        points: if large > 0 { large } else { get(107).number::<u32>().into() },
+        scale: triple(131, 8),
+        offset: triple(155, 8),
+        bounds: (triple(187, 16), triple(179, 16)),
+    }
+}
+
+/// A fault of a header: its byte, what stands there, and what to do.
+struct Fault(u64, String, String);
+
+/// Checks the version and the places of things; `file` is the size of the input where it is known.
+fn layout(bytes: &[u8], header: &Header, file: Option<u64>) -> Result<(), Fault> {
+    let Header { minor, header_size, points_at, .. } = header;
+    let major = bytes[24];
+    if major != 1 || *minor > 4 {
+        let found = format!("version {major}.{minor}");
+        return Err(Fault(24, found, "versions 1.0 to 1.4 are read".into()));
+    }
+    if *header_size < LEAST as u64 || points_at < header_size {
+        let found = format!("a header of {header_size} bytes with points from byte {points_at}");
+        let advice = "a header has at least 227 bytes and the points follow it; the file is damaged";
+        return Err(Fault(94, found, advice.into()));
+    }
+    if let Some(size) = file.filter(|size| points_at > size) {
+        let found = format!("points from byte {points_at} of a file of {size}");
+        return Err(Fault(96, found, "the file is cut or damaged".into()));
+    }
+    Ok(())
+}
+
+/// Checks the point format, the length of its records, scale and offset.
+fn values(header: &Header) -> Result<(), Fault> {
+    let Header { format, record_length, scale, offset, .. } = header;
+    let Some(&least) = RECORD_LENGTHS.get(usize::from(*format)) else {
+        return Err(Fault(104, format!("point format {format}"), "formats 0 to 10 are read".into()));
+    };
+    if *record_length < least {
+        let found = format!("records of {record_length} bytes for point format {format}");
+        return Err(Fault(105, found, format!("it needs at least {least}; the file is damaged")));
+    }
+    if !scale.iter().all(|s| s.is_finite() && *s != 0.0) || !offset.iter().all(|o| o.is_finite()) {
+        let found = format!("coordinate scale {scale:?} and offset {offset:?}");
+        let advice = "they must be finite and the scale not 0; the file is damaged";
+        return Err(Fault(131, found, advice.into()));
+    }
+    Ok(())
 }
 
 /// Numbers at the beginning of a slice.

@@ -48,7 +48,11 @@ pub(crate) fn standard(format: u8) -> Option<(usize, Vec<Dimension>)> {
     let length = *RECORD_LENGTHS.get(usize::from(format))?;
     let of = Dimension::new;
     let mut all = vec![of("intensity", 12, Scalar::U16)];
-    let mut at = if format < 6 { legacy(&mut all) } else { current(&mut all) };
+    // The optional dimensions follow those of the base.
+    let (bits, whole, mut at) =
+        if format < 6 { (LEGACY_BITS, LEGACY, 20) } else { (CURRENT_BITS, CURRENT, 30) };
+    all.extend(bits.iter().map(|&(name, offset, shift, count)| Dimension::bits(name, offset, shift, count)));
+    all.extend(whole.iter().map(|&(name, offset, kind)| Dimension::new(name, offset, kind)));
     if matches!(format, 1 | 3 | 4 | 5) {
         all.push(of("gps_time", at, Scalar::F64));
         at += 8;
@@ -65,48 +69,47 @@ pub(crate) fn standard(format: u8) -> Option<(usize, Vec<Dimension>)> {
     Some((length, all))
 }
 
-/// Formats 0 to 5; gives where the optional dimensions begin.
-fn legacy(all: &mut Vec<Dimension>) -> usize {
-    for (name, offset, shift, count) in [
-        ("return_number", 14, 0, 3),
-        ("number_of_returns", 14, 3, 3),
-        ("scan_direction_flag", 14, 6, 1),
-        ("edge_of_flight_line", 14, 7, 1),
-        ("classification", 15, 0, 5),
-        ("synthetic", 15, 5, 1),
-        ("key_point", 15, 6, 1),
-        ("withheld", 15, 7, 1),
-    ] {
-        all.push(Dimension::bits(name, offset, shift, count));
-    }
-    all.push(Dimension::new("scan_angle_rank", 16, Scalar::I8));
-    all.push(Dimension::new("user_data", 17, Scalar::U8));
-    all.push(Dimension::new("point_source_id", 18, Scalar::U16));
-    20
-}
+/// Dimensions of whole numbers: name, offset, type.
+type Whole = &'static [(&'static str, usize, Scalar)];
+/// Dimensions of some bits of a byte: name, offset of the byte, first bit, number of bits.
+type Bits = &'static [(&'static str, usize, u32, u32)];
 
-/// Formats 6 to 10; gives where the optional dimensions begin.
-fn current(all: &mut Vec<Dimension>) -> usize {
-    for (name, offset, shift, count) in [
-        ("return_number", 14, 0, 4),
-        ("number_of_returns", 14, 4, 4),
-        ("synthetic", 15, 0, 1),
-        ("key_point", 15, 1, 1),
-        ("withheld", 15, 2, 1),
-        ("overlap", 15, 3, 1),
-        ("scanner_channel", 15, 4, 2),
-        ("scan_direction_flag", 15, 6, 1),
-        ("edge_of_flight_line", 15, 7, 1),
-    ] {
-        all.push(Dimension::bits(name, offset, shift, count));
-    }
-    all.push(Dimension::new("classification", 16, Scalar::U8));
-    all.push(Dimension::new("user_data", 17, Scalar::U8));
-    all.push(Dimension::new("scan_angle", 18, Scalar::I16));
-    all.push(Dimension::new("point_source_id", 20, Scalar::U16));
-    all.push(Dimension::new("gps_time", 22, Scalar::F64));
-    30
-}
+/// Formats 0 to 5.
+const LEGACY_BITS: Bits = &[
+    ("return_number", 14, 0, 3),
+    ("number_of_returns", 14, 3, 3),
+    ("scan_direction_flag", 14, 6, 1),
+    ("edge_of_flight_line", 14, 7, 1),
+    ("classification", 15, 0, 5),
+    ("synthetic", 15, 5, 1),
+    ("key_point", 15, 6, 1),
+    ("withheld", 15, 7, 1),
+];
+const LEGACY: Whole = &[
+    ("scan_angle_rank", 16, Scalar::I8),
+    ("user_data", 17, Scalar::U8),
+    ("point_source_id", 18, Scalar::U16),
+];
+
+/// Formats 6 to 10.
+const CURRENT_BITS: Bits = &[
+    ("return_number", 14, 0, 4),
+    ("number_of_returns", 14, 4, 4),
+    ("synthetic", 15, 0, 1),
+    ("key_point", 15, 1, 1),
+    ("withheld", 15, 2, 1),
+    ("overlap", 15, 3, 1),
+    ("scanner_channel", 15, 4, 2),
+    ("scan_direction_flag", 15, 6, 1),
+    ("edge_of_flight_line", 15, 7, 1),
+];
+const CURRENT: Whole = &[
+    ("classification", 16, Scalar::U8),
+    ("user_data", 17, Scalar::U8),
+    ("scan_angle", 18, Scalar::I16),
+    ("point_source_id", 20, Scalar::U16),
+    ("gps_time", 22, Scalar::F64),
+];
 
 /// Bytes of one description of extra bytes.
 const DESCRIPTION: usize = 192;

@@ -73,54 +73,80 @@ fn middle(vertices: &[[f64; 3]]) -> [f64; 3] {
     [0, 1, 2].map(|a| low[a] + 0.5 * (high[a] - low[a]))
 }
 
-fn json(local: &[[f32; 3]], segments: &[Vec<u32>; 2], middle: [f64; 3]) -> String {
-    let [low, high] = bounds(local);
-    let (mut meshes, mut nodes, mut materials) = (Vec::new(), Vec::new(), Vec::new());
-    let positions = 12 * local.len();
-    let mut views =
-        vec![format!("{{\"buffer\":0,\"byteOffset\":0,\"byteLength\":{positions},\"target\":{VERTICES}}}")];
-    let mut accessors = vec![format!(
-        "{{\"bufferView\":0,\"componentType\":{FLOAT},\"count\":{},\"type\":\"VEC3\",\"min\":{low:?},\"max\":{high:?}}}",
-        local.len()
-    )];
-    let mut offset = positions;
-    for ((_, name, [r, g, b]), indices) in
-        KINDS.iter().zip(segments).filter(|(_, indices)| !indices.is_empty())
-    {
-        let (count, length) = (indices.len(), 4 * indices.len());
-        views.push(format!(
+/// The lists of the JSON part.
+#[derive(Default)]
+struct Lists {
+    views: Vec<String>,
+    accessors: Vec<String>,
+    meshes: Vec<String>,
+    materials: Vec<String>,
+    nodes: Vec<String>,
+    /// Bytes of the buffer so far.
+    bytes: usize,
+}
+
+impl Lists {
+    /// The positions, which all meshes share.
+    fn positions(&mut self, local: &[[f32; 3]]) {
+        let [low, high] = bounds(local);
+        let (count, length) = (local.len(), 12 * local.len());
+        self.views
+            .push(format!("{{\"buffer\":0,\"byteOffset\":0,\"byteLength\":{length},\"target\":{VERTICES}}}"));
+        self.accessors.push(format!(
+            "{{\"bufferView\":0,\"componentType\":{FLOAT},\"count\":{count},\"type\":\"VEC3\",\"min\":{low:?},\"max\":{high:?}}}"
+        ));
+        self.bytes += length;
+    }
+
+    /// A mesh of line segments in one colour, and a node that shows it.
+    fn mesh(&mut self, name: &str, [r, g, b]: [f32; 3], indices: &[u32]) {
+        let (count, length, offset) = (indices.len(), 4 * indices.len(), self.bytes);
+        let (view, accessor, mesh) = (self.views.len(), self.accessors.len(), self.meshes.len());
+        self.views.push(format!(
             "{{\"buffer\":0,\"byteOffset\":{offset},\"byteLength\":{length},\"target\":{INDICES}}}"
         ));
-        accessors.push(format!(
-            "{{\"bufferView\":{},\"componentType\":{UNSIGNED},\"count\":{count},\"type\":\"SCALAR\"}}",
-            views.len() - 1
+        self.accessors.push(format!(
+            "{{\"bufferView\":{view},\"componentType\":{UNSIGNED},\"count\":{count},\"type\":\"SCALAR\"}}"
         ));
-        let (mesh, accessor) = (meshes.len(), accessors.len() - 1);
-        meshes.push(format!("{{\"name\":\"{name}\",\"primitives\":[{{\"attributes\":{{\"POSITION\":0}},\"indices\":{accessor},\"material\":{mesh},\"mode\":{LINES}}}]}}"));
-        materials.push(format!("{{\"name\":\"{name}\",\"pbrMetallicRoughness\":{{\"baseColorFactor\":[{r:?},{g:?},{b:?},1.0]}},\"extensions\":{{\"KHR_materials_unlit\":{{}}}}}}"));
-        nodes.push(format!("{{\"name\":\"{name}\",\"mesh\":{mesh}}}"));
-        offset += length;
+        self.meshes.push(format!("{{\"name\":\"{name}\",\"primitives\":[{{\"attributes\":{{\"POSITION\":0}},\"indices\":{accessor},\"material\":{mesh},\"mode\":{LINES}}}]}}"));
+        self.materials.push(format!("{{\"name\":\"{name}\",\"pbrMetallicRoughness\":{{\"baseColorFactor\":[{r:?},{g:?},{b:?},1.0]}},\"extensions\":{{\"KHR_materials_unlit\":{{}}}}}}"));
+        self.nodes.push(format!("{{\"name\":\"{name}\",\"mesh\":{mesh}}}"));
+        self.bytes += length;
     }
-    if meshes.is_empty() {
+
+    /// The nodes above those of the meshes: the place of the network, and the turn that makes its z point up.
+    fn root(&mut self, middle: [f64; 3]) {
+        let children: Vec<String> = (0..self.nodes.len()).map(|node| node.to_string()).collect();
+        let children = children.join(",");
+        self.nodes
+            .push(format!("{{\"name\":\"network\",\"translation\":{middle:?},\"children\":[{children}]}}"));
+        let (half, child) = (std::f64::consts::FRAC_1_SQRT_2, self.nodes.len() - 1);
+        self.nodes.push(format!(
+            "{{\"name\":\"z up\",\"rotation\":[{:?},0.0,0.0,{half:?}],\"children\":[{child}]}}",
+            -half
+        ));
+    }
+}
+
+/// The JSON part.
+fn json(local: &[[f32; 3]], segments: &[Vec<u32>; 2], middle: [f64; 3]) -> String {
+    let mut lists = Lists::default();
+    lists.positions(local);
+    for ((_, name, colour), indices) in KINDS.iter().zip(segments).filter(|(_, indices)| !indices.is_empty())
+    {
+        lists.mesh(name, *colour, indices);
+    }
+    if lists.meshes.is_empty() {
         return "{\"asset\":{\"version\":\"2.0\",\"generator\":\"lineament\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\
                 \"nodes\":[{\"name\":\"network\"}]}"
             .into();
     }
-    let children: Vec<String> = (0..nodes.len()).map(|node| node.to_string()).collect();
-    nodes.push(format!(
-        "{{\"name\":\"network\",\"translation\":{middle:?},\"children\":[{}]}}",
-        children.join(",")
-    ));
-    let half = std::f64::consts::FRAC_1_SQRT_2;
-    nodes.push(format!(
-        "{{\"name\":\"z up\",\"rotation\":[{:?},0.0,0.0,{half:?}],\"children\":[{}]}}",
-        -half,
-        nodes.len() - 1
-    ));
+    lists.root(middle);
+    let Lists { views, accessors, meshes, materials, nodes, bytes } = lists;
     format!(
         "{{\"asset\":{{\"version\":\"2.0\",\"generator\":\"lineament\"}},\"extensionsUsed\":[\"KHR_materials_unlit\"],\
          \"scene\":0,\"scenes\":[{{\"nodes\":[{}]}}],\"nodes\":[{}],\"meshes\":[{}],\"materials\":[{}],\
-         \"accessors\":[{}],\"bufferViews\":[{}],\"buffers\":[{{\"byteLength\":{offset}}}]}}",
+         \"accessors\":[{}],\"bufferViews\":[{}],\"buffers\":[{{\"byteLength\":{bytes}}}]}}",
         nodes.len() - 1,
         nodes.join(","),
         meshes.join(","),

@@ -42,8 +42,23 @@ pub fn network() -> Network {
     }
 }
 
-/// Small clouds in every format that points are written in, and what other formats look like: seeds to damage.
-pub fn seeds() -> Vec<(String, Vec<u8>)> {
+/// The name and the bytes of a small input.
+type Seed = (String, Vec<u8>);
+
+/// Small clouds in every format that points are written in, and samples of the other formats: seeds to damage.
+pub fn seeds() -> Vec<Seed> {
+    [points(), lines(), gltf(), texts(), binary_stl(), packed_pcd(), npy(), parquet()]
+        .into_iter()
+        .flatten()
+        .chain([("octree.laz".into(), super::copc::file(60)), ("two.e57".into(), super::e57::two_scans(40))])
+        .chain(las())
+        .chain(gps_times())
+        .chain(expe())
+        .collect()
+}
+
+/// Points in every format but NPY.
+fn points() -> Vec<Seed> {
     let positions =
         (0..60).map(|i| [f64::from(i) * 0.5, f64::from(i % 7), f64::from(i % 3) * 0.25]).collect();
     let values = Column::U16((0..60).collect());
@@ -60,17 +75,27 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
         (PointFormat::Las, "las"),
         (PointFormat::Laz, "laz"),
     ];
-    let mut seeds: Vec<(String, Vec<u8>)> = Vec::new();
-    for (format, extension) in formats {
+    let written = formats.map(|(format, extension)| {
         let mut bytes = Vec::new();
         write_points_to(&mut bytes, format, &table).unwrap();
-        seeds.push((format!("seed.{extension}"), bytes));
-    }
+        (format!("seed.{extension}"), bytes)
+    });
+    written.into()
+}
+
+/// Networks in formats that are read as well.
+fn lines() -> Vec<Seed> {
+    let mut seeds = Vec::new();
     for format in [NetworkFormat::Ply, NetworkFormat::Obj, NetworkFormat::Glb] {
         let mut bytes = Vec::new();
         write_network_to(&mut bytes, format, &network(), &Default::default()).unwrap();
         seeds.push((format!("lines.{format}"), bytes));
     }
+    seeds
+}
+
+/// Formats of text.
+fn texts() -> Vec<Seed> {
     let text = [
         ("lines.off", "OFF\n4 2 0\n0 0\n0 1 0 0\n0 1 0 0 0 1\n3 0 1 2 3 0 1 3\n"),
         ("seed.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n"),
@@ -92,6 +117,10 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
             "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nproperty list uchar int n\nend_header\n1 2 3 2 1 1\n4 5 6 0\n",
         ),
     ];
+    text.map(|(name, text)| (name.into(), text.as_bytes().to_vec())).into()
+}
+
+fn gltf() -> Vec<Seed> {
     let data = format!("data:;base64,{}", "AACAPwAAAEAAAEBA".repeat(4));
     let json = format!(
         "{{\"asset\":{{\"version\":\"2.0\"}},\"scenes\":[{{\"nodes\":[0]}}],\"nodes\":[{{\"mesh\":0,\"scale\":[2,2,2]}}],\
@@ -99,18 +128,34 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
          \"accessors\":[{{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"}}],\
          \"bufferViews\":[{{\"buffer\":0,\"byteLength\":48}}],\"buffers\":[{{\"byteLength\":48,\"uri\":\"{data}\"}}]}}"
     );
-    seeds.push(("seed.gltf".into(), json.into_bytes()));
-    seeds.extend(text.map(|(name, text)| (name.into(), text.as_bytes().to_vec())));
+    vec![("seed.gltf".into(), json.into_bytes())]
+}
+
+/// Two triangles.
+fn binary_stl() -> Vec<Seed> {
+    let mut seeds = Vec::new();
     let mut stl = vec![0u8; 80];
     stl.extend(2u32.to_le_bytes());
     stl.resize(184, 0x3f);
     seeds.push(("binary.stl".into(), stl));
+    seeds
+}
+
+/// Eight points, compressed.
+fn packed_pcd() -> Vec<Seed> {
+    let mut seeds = Vec::new();
     let mut packed =
         b"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 8\nHEIGHT 1\nDATA binary_compressed\n".to_vec();
     packed.extend(4u32.to_le_bytes().into_iter().chain(96u32.to_le_bytes()).chain([0, 1, 7 << 5, 86]));
     packed.push(0);
     packed[75] += 1;
     seeds.push(("packed.pcd".into(), packed));
+    seeds
+}
+
+/// Arrays of half and of single precision.
+fn npy() -> Vec<Seed> {
+    let mut seeds = Vec::new();
     let header = "{'descr': '<f4', 'fortran_order': False, 'shape': (4, 3), }\n";
     let mut npy = b"\x93NUMPY\x01\x00".to_vec();
     npy.extend((header.len() as u16).to_le_bytes());
@@ -119,17 +164,33 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
     seeds.push(("half.npy".into(), [&npy[..10], half.as_bytes(), &[0; 24]].concat()));
     npy.resize(npy.len() + 48, 0);
     seeds.push(("seed.npy".into(), npy));
+    seeds
+}
+
+/// Every codec, in both versions of pages.
+fn parquet() -> Vec<Seed> {
+    let mut seeds = Vec::new();
     for (index, codec) in super::parquet::codecs().into_iter().enumerate() {
         let version = if index % 2 == 0 { WriterVersion::PARQUET_1_0 } else { WriterVersion::PARQUET_2_0 };
         seeds.push((format!("{index}.parquet"), super::parquet::file(codec, version, index % 4 < 2, 60)));
     }
-    seeds.push(("octree.laz".into(), super::copc::file(60)));
-    seeds.push(("two.e57".into(), super::e57::two_scans(40)));
+    seeds
+}
+
+/// Point formats with and without chunks.
+fn las() -> Vec<Seed> {
+    let mut seeds = Vec::new();
     for (format, chunk, name) in
         [(3, None, "3.las"), (10, None, "10.las"), (3, Some(10), "3.laz"), (7, Some(10), "7.laz")]
     {
         seeds.push((name.into(), super::las::file(format, 40, chunk)));
     }
+    seeds
+}
+
+/// GPS times that jump, and changes of their sequence.
+fn gps_times() -> Vec<Seed> {
+    let mut seeds = Vec::new();
     for (format, count, name) in [(1, 30, "times1.laz"), (6, 60, "times6.laz")] {
         let times: Vec<f64> =
             (0..count).map(|i| [3e5, -7e3, 1e-3][i / 3 % 3] + (i / 9) as f64 * 1e-4).collect();
@@ -138,6 +199,12 @@ pub fn seeds() -> Vec<(String, Vec<u8>)> {
     }
     seeds.push(("changes6.laz".into(), super::gps::layered(4)));
     seeds.push(("changes1.laz".into(), super::gps::pointwise(vec![0, 4, 1, 2, 0, 3])));
+    seeds
+}
+
+/// Three points with colours.
+fn expe() -> Vec<Seed> {
+    let mut seeds = Vec::new();
     let mut expe =
         b"[Expe/PointSet/Binary/0.1]\nproperty position 12\nproperty color 4\nnofpoints 3\ndata\n".to_vec();
     expe.resize(expe.len() + 48, 0x3f);
