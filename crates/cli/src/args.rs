@@ -1,4 +1,4 @@
-//! The command line as it is typed. Nothing is checked here that needs more than the text.
+//! The command line as typed, one file for each command. Checks that need more than the text come later.
 
 mod classify;
 mod completions;
@@ -29,11 +29,13 @@ use clap::{Parser, Subcommand};
 
 const HELP: &str = "\
 Examples:
-  lineament extract --sample bracket -o bracket.obj     a generated scan, to try it out
-  lineament extract part.ply                            writes part.lines.json and .obj
+  lineament extract --sample bracket -o bracket.obj     lines of a generated scan, to try it out
+  lineament extract part.ply                            writes part.lines.json and part.lines.obj
   lineament extract part.ply -o part.dxf -o part.json   several formats, by extension
-  lineament render part.ply -o part.png                 look at it
+  lineament render part.ply -o part.png                 a picture of scan and lines
   lineament params > tuning.toml                        every parameter, with its meaning
+
+`lineament help COMMAND` begins with examples of the command.
 
 Exit codes:
   0    everything asked for was done
@@ -55,26 +57,34 @@ pub struct Args {
     pub command: Command,
 }
 
-/// What to do.
+/// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Find the feature lines of a scan and write them as curves
+    #[command(long_about = extract::ABOUT)]
     Extract(Extract),
-    /// Say of each point whether it lies on a line: 0 smooth, 1 crease, 2 border, 3 corner
+    /// Classify each point: 0 smooth, 1 crease, 2 border, 3 corner
+    #[command(long_about = classify::ABOUT)]
     Classify(Classify),
     /// Divide a scan into its smooth patches and write their points, boundary loops and surfaces
+    #[command(long_about = patches::ABOUT)]
     Patches(Patches),
     /// Draw a scan and its lines as a PNG picture
+    #[command(long_about = render::ABOUT)]
     Render(Render),
     /// Cut a scan by planes and write the curves in which they meet its surface
     Section(Section),
-    /// Cut a scan by planes and write a picture a slice
+    /// Cut a scan by planes and write a picture of each slice
+    #[command(long_about = slices::ABOUT)]
     Slices(Slices),
     /// Tell what a scan file holds
+    #[command(long_about = info::ABOUT)]
     Info(Info),
     /// Print every parameter as a commented TOML file
+    #[command(long_about = params::ABOUT)]
     Params(Params),
     /// Print a completion script for a shell
+    #[command(long_about = completions::ABOUT)]
     Completions(Completions),
     /// Write the manual pages into a folder
     #[command(hide = true)]

@@ -14,7 +14,8 @@ mod parts;
 use judge::{Off, Verdict, judge};
 use lineament::section::{Axis, Planes, SectionParams, section_observed};
 use lineament::shapes::{Sampled, Sampling, Scan};
-use parts::{Part, View};
+use parts::Part;
+use parts::known::View;
 use rayon::prelude::*;
 
 const NOISES: [f64; 3] = [0.0, 0.1, 0.25];

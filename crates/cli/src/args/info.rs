@@ -5,6 +5,14 @@ use clap::Args;
 use super::groups::Source;
 use super::parse;
 
+/// The head of the long help.
+pub const ABOUT: &str = "\
+Tell what a scan file holds
+
+  lineament info part.ply        format, number of points, attributes, bounds, spacing and noise
+
+Everything goes to standard output; no file is written.";
+
 /// Arguments of `info`.
 #[derive(Debug, Args)]
 pub struct Info {

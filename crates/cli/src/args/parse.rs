@@ -1,4 +1,4 @@
-//! Values of options that are more than a word.
+//! Values of options that need parsing.
 
 use lineament::detect::baselines::Detector;
 use lineament_io::Format;
@@ -35,9 +35,12 @@ pub fn length(text: &str) -> Result<f64, String> {
     length.ok_or_else(|| "a number above 0 was expected".into())
 }
 
-/// The name or an extension of a format that is read.
+/// The name or an extension of a format of scans.
 pub fn format(text: &str) -> Result<Format, String> {
-    Format::parse(text).ok_or_else(|| "not a format that is read; try ply, xyz, las, e57, ...".into())
+    Format::parse(text).ok_or_else(|| {
+        let names: Vec<String> = Format::all().iter().map(Format::to_string).collect();
+        format!("the formats that can be read are {}", names.join(", "))
+    })
 }
 
 /// A number of bytes, with K, M, G or T for powers of 1024.

@@ -6,27 +6,30 @@ use clap::{Args, ValueHint};
 
 use super::groups::Work;
 
-const HELP: &str = "\
-Formats by extension:
-  .json                           loops, neighbours, areas and surfaces, in the schema lineament-network/1
-  .dxf                            the loops as 3D polylines, a layer a patch
-  .ply .pcd .xyz .csv .las .laz   the points and their attributes, with the patch of each; -1 for none
+/// The head of the long help.
+pub const ABOUT: &str = "\
+Divide a scan into its smooth patches and write their points, boundary loops and surfaces
 
-The lines are those of the method `segments` unless --method, --params or --set says otherwise.
+  lineament patches part.ply -o part.patches.ply      all points with the number of their patch
+  lineament patches part.ply -o part.patches.json     loops, areas and fitted surfaces
 
-Examples:
-  lineament patches part.ply -o part.patches.json -o part.patches.ply
-  lineament patches part.ply -o part.dxf";
+There is no default output: name at least one with -o. The lines between the patches are those of the method
+`segments` unless --method, --params or --set chooses another.";
+
+/// The foot of the help.
+fn help() -> String {
+    format!("Formats by extension:\n{}", lineament_io::format_help(|format| format.patches))
+}
 
 /// Arguments of `patches`.
 #[derive(Debug, Args)]
-#[command(after_help = HELP)]
+#[command(after_help = help())]
 pub struct Patches {
-    /// Where to write the patches; the extension says what and how. May be given several times; a folder gets
-    /// NAME.patches.json and NAME.patches.ply, `{stem}` stands for the input's name, `-` is JSON on standard output
+    /// File to write the patches to, in the format of its extension; may be given several times. A folder gets
+    /// NAME.patches.json and NAME.patches.ply, `{stem}` stands for the name of the input, `-` is JSON on standard output
     #[arg(short, long, value_name = "OUT", required = true, value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
-    /// Write what the method `segments` goes through into this folder, as `extract` does
+    /// Folder for the stages of the method `segments`, as of `extract`
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub stages: Option<PathBuf>,
     #[command(flatten)]

@@ -8,14 +8,6 @@ use lineament::section::{Axis, Outline, Planes, SectionParams, Side};
 use super::groups::{Running, Source};
 
 const HELP: &str = "\
-Formats by extension:
-  .json     everything found, in the schema lineament-section/1
-  .dxf      lines, arcs and circles, a layer a slice, and the names of holes, extrusions ...
-  .svg      a sheet with all slices
-  .obj      lines, a group a slice
-  .ply      vertices and edges
-  .geojson  polygons with their holes
-
 How a slice is drawn:
   Points near the plane are carried to it along the surface, so that a slanted wall stays a thin line; --no-carry
   projects them straight. The curve follows the middle of the points; --side out or in follows an edge of a thick band.
@@ -34,9 +26,14 @@ Examples:
   lineament section part.ply -o part.svg --adaptive 16              few slices where nothing changes
   lineament section part.ply -o part.json --axis 1,0,1 --every 2.5 --outline voronoi";
 
+/// The foot of the help.
+fn help() -> String {
+    format!("Formats by extension:\n{}\n\n{HELP}", lineament_io::format_help(|format| format.section))
+}
+
 /// Arguments of `section`.
 #[derive(Debug, Args)]
-#[command(after_help = HELP)]
+#[command(after_help = help())]
 pub struct Section {
     #[command(flatten)]
     pub source: Source,

@@ -7,18 +7,19 @@ use clap::{Args, ValueHint};
 use super::groups::{Running, Source};
 use super::section::Slicing;
 
-const HELP: &str = "\
-Examples:
-  lineament slices part.ply -o slices --count 40
-  lineament slices scan.laz -o plans --at=0.5,1.5,2.5";
+/// The head of the long help.
+pub const ABOUT: &str = "\
+Cut a scan by planes and write a picture of each slice
+
+  lineament slices part.ply -o slices --count 40         writes slices/slice_0000.svg to slice_0039.svg
+  lineament slices scan.laz -o plans --at=0.5,1.5,2.5    three heights";
 
 /// Arguments of `slices`.
 #[derive(Debug, Args)]
-#[command(after_help = HELP)]
 pub struct Slices {
     #[command(flatten)]
     pub source: Source,
-    /// The folder to write a picture a slice into: slice_0000.svg and so on; it is made if it is not there
+    /// Folder to write the pictures into, slice_0000.svg and so on; it is made if need be
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub output: PathBuf,
     #[command(flatten)]

@@ -2,16 +2,16 @@
 
 use clap::{ArgAction, Args};
 
-/// How the run goes.
+/// Threads and messages of a run.
 #[derive(Clone, Debug, Default, Args)]
 pub struct Running {
-    /// Number of threads [default: one a core]; the result does not depend on it
+    /// Number of threads, which does not change the result [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Say nothing but errors
+    /// Print errors only
     #[arg(short, long, conflicts_with = "verbose")]
     pub quiet: bool,
-    /// Say more: the values chosen for automatic parameters, what was passed over in the input
+    /// Print more: values of automatic parameters, and parts of the input that were left out
     #[arg(short, long, action = ArgAction::SetTrue)]
     pub verbose: bool,
 }

@@ -1,4 +1,4 @@
-//! The inputs, and how they are read.
+//! Inputs, and how they are read.
 
 use std::path::PathBuf;
 
@@ -7,7 +7,7 @@ use lineament_io::Format;
 
 use crate::args::parse;
 
-/// Where the points come from.
+/// The source of the points.
 #[derive(Clone, Debug, Args)]
 pub struct Source {
     /// The scans to read, each on its own; `-` is standard input
@@ -23,7 +23,7 @@ pub struct Source {
     pub reading: Reading,
 }
 
-/// What of a file is read.
+/// Part of a file that is read.
 #[derive(Clone, Debug, Default, Args)]
 #[command(next_help_heading = "Reading")]
 pub struct Reading {
@@ -37,16 +37,16 @@ pub struct Reading {
     /// Read only one scan of a file that holds several, counted from 1
     #[arg(long, value_name = "N", conflicts_with = "sample", value_parser = parse::count)]
     pub scan: Option<usize>,
-    /// Take the input for this format, whatever it looks like
+    /// Read the input as this format, whatever its content or name
     #[arg(long, value_name = "NAME", conflicts_with = "sample", value_parser = parse::format)]
     pub input_format: Option<Format>,
-    /// Memory that the points of a compressed input may take, such as 4G [default: 64M and eight times the file]
+    /// Limit on the memory for the points of a compressed input, such as 4G [default: 64M and eight times the file]
     #[arg(long, value_name = "BYTES", conflicts_with = "sample", value_parser = parse::bytes)]
     pub memory: Option<u64>,
-    /// Of a file that ends early, read what is whole, and say how much is missing
+    /// Read the whole part of a file that ends early, and tell how much is missing
     #[arg(long)]
     pub salvage: bool,
-    /// Refuse scans with points that are not finite instead of leaving those out
+    /// Refuse a scan with points that are not finite, instead of leaving those points out
     #[arg(long)]
     pub strict: bool,
 }

@@ -5,7 +5,7 @@ use clap::Args;
 use super::{Running, Source, Tuning};
 use crate::args::parse;
 
-/// What the commands that extract have in common.
+/// Arguments shared by the commands that extract.
 #[derive(Clone, Debug, Args)]
 pub struct Work {
     #[command(flatten)]

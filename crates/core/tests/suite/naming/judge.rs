@@ -1,6 +1,6 @@
 //! Named runs beside what a part has.
 
-use super::parts::{Kind, Known};
+use super::parts::known::{Kind, Known};
 use lineament::section::{Feature, Run, Sections, Stack};
 
 /// A length of a named feature beside the true one, in spacings.

@@ -1,0 +1,116 @@
+//! The schema `lineament-network/1`.
+
+use super::{context, floats, written};
+use crate::common::network;
+use lineament_io::NetworkFormat;
+use serde_json::Value;
+use std::path::Path;
+
+fn json() -> Value {
+    serde_json::from_slice(&written(NetworkFormat::Json)).unwrap()
+}
+
+#[test]
+fn json_gives_every_number_back_bit_for_bit() {
+    let (json, network) = (json(), network());
+    assert_eq!(json["schema"], "lineament-network/1");
+    for (node, there) in network.nodes.iter().zip(json["nodes"].as_array().unwrap()) {
+        assert_eq!(floats(&there["position"]), node.position);
+        assert_eq!(there["kind"], node.kind.name());
+    }
+    for (strip, there) in network.strips.iter().zip(json["strips"].as_array().unwrap()) {
+        let points: Vec<Vec<f64>> = there["points"].as_array().unwrap().iter().map(floats).collect();
+        assert_eq!(points, strip.points);
+        assert_eq!(there["deviation"], strip.deviation);
+        assert_eq!(there["length"], strip.length());
+        assert_eq!(floats(&there["curve"]["knots"]), strip.curve.knots);
+        assert_eq!(there["start"].as_u64(), strip.start.map(u64::from));
+        assert_eq!(there["closed"], strip.closed);
+    }
+}
+
+#[test]
+fn json_says_what_was_read_and_how() {
+    let json = json();
+    assert_eq!(json["input"]["name"], context().input_name);
+    assert_eq!(json["input"]["sha256"], "00ff");
+    assert_eq!(json["parameters"]["penalty.rho"], 12);
+    assert_eq!(json["parameters"]["penalty.alpha"], 0.3);
+    assert_eq!(json["parameters"]["penalty.robust"], true);
+    assert_eq!(json["parameters"]["penalty.noise"], "auto");
+    assert_eq!(json["noise"], Value::Null);
+}
+
+/// Whether `value` has what `schema` requires, by the parts of JSON Schema that the project's schema uses.
+fn conforms(value: &Value, schema: &Value, root: &Value, at: &str) {
+    let schema = match schema["$ref"].as_str() {
+        Some(path) => root.pointer(path.trim_start_matches('#')).unwrap_or_else(|| panic!("{path}")),
+        None => schema,
+    };
+    if let Some(constant) = schema.get("const") {
+        assert_eq!(value, constant, "{at}");
+    }
+    if let Some(allowed) = schema.get("enum") {
+        assert!(allowed.as_array().unwrap().contains(value), "{at} is {value}");
+    }
+    let kinds = match &schema["type"] {
+        Value::String(kind) => vec![kind.as_str()],
+        Value::Array(kinds) => kinds.iter().map(|kind| kind.as_str().unwrap()).collect(),
+        _ => vec![],
+    };
+    let is = |kind: &&str| match *kind {
+        "object" => value.is_object(),
+        "array" => value.is_array(),
+        "string" => value.is_string(),
+        "number" => value.is_number(),
+        "integer" => value.is_u64() || value.is_i64(),
+        "boolean" => value.is_boolean(),
+        "null" => value.is_null(),
+        other => panic!("type {other} at {at}"),
+    };
+    assert!(kinds.is_empty() || kinds.iter().any(is), "{at} is {value}, not {kinds:?}");
+    if let (Some(object), Some(properties)) = (value.as_object(), schema["properties"].as_object()) {
+        for required in schema["required"].as_array().into_iter().flatten() {
+            assert!(object.contains_key(required.as_str().unwrap()), "{at} lacks {required}");
+        }
+        for (key, inner) in object {
+            let known = properties.get(key).unwrap_or_else(|| panic!("{at}.{key} is not in the schema"));
+            conforms(inner, known, root, &format!("{at}.{key}"));
+        }
+    }
+    if let (Some(items), Some(inner)) = (value.as_array(), schema.get("items")) {
+        for (i, item) in items.iter().enumerate() {
+            conforms(item, inner, root, &format!("{at}[{i}]"));
+        }
+        assert!(items.len() as u64 >= schema["minItems"].as_u64().unwrap_or(0), "{at}");
+        assert!(items.len() as u64 <= schema["maxItems"].as_u64().unwrap_or(u64::MAX), "{at}");
+    }
+}
+
+#[test]
+fn json_conforms_to_the_published_schema() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/schema-network-1.json");
+    let schema: Value = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
+    conforms(&json(), &schema, &schema, "file");
+}
+
+#[test]
+fn the_schema_page_names_every_key() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/schema-network-1.md");
+    let page = std::fs::read_to_string(path).unwrap();
+    fn keys(value: &Value, into: &mut Vec<String>) {
+        match value {
+            Value::Object(object) => object.iter().for_each(|(key, inner)| {
+                into.push(key.clone());
+                keys(inner, into);
+            }),
+            Value::Array(items) => items.iter().for_each(|item| keys(item, into)),
+            _ => {}
+        }
+    }
+    let mut all = Vec::new();
+    keys(&json(), &mut all);
+    for key in all.iter().filter(|key| !key.contains('.')) {
+        assert!(page.contains(&format!("`{key}`")), "{key}");
+    }
+}
