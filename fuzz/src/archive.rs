@@ -38,7 +38,7 @@ fn checksum(data: &[u8], at: usize) -> Option<u32> {
         _ => Box::new(content),
     };
     let mut bytes = Vec::new();
-    // What cannot be unpacked whole has the sum of what could be: no reader gets beyond that.
+    // An entry that cannot be unpacked whole gets the sum of its readable part: no reader gets beyond that.
     let _ = reader.take(unpacked.min(MOST)).read_to_end(&mut bytes);
     Some(crc32fast::hash(&bytes))
 }

@@ -1,4 +1,4 @@
-//! What the fuzz targets do with an input: read it in every way, and hold the readers to their promises.
+//! The common body of the fuzz targets: read an input in every way, and check the promises of the readers.
 
 mod archive;
 mod pipeline;

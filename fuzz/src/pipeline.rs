@@ -1,4 +1,4 @@
-//! Read, extract, write, read: whatever can be read gives a valid network or a named refusal, and what is written reads
+//! Read, extract, write, read: a readable input gives a valid network or a named refusal, and every output reads
 //! back the same.
 
 use lineament::{Cloud, Extraction, Method, Params, check, extract};

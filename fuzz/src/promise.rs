@@ -13,7 +13,7 @@ static MEMORY: PeakAlloc = PeakAlloc;
 /// Bytes that reading may take beside eight times the input.
 const BASE: usize = 64 << 20;
 
-/// Reads the input as `format`, or as what it looks like, from a file and from a pipe, whole and salvaged.
+/// Reads the input as `format`, or as the format that it appears to have, from a file and from a pipe, whole and salvaged.
 pub fn reads(format: Option<Format>, data: &[u8]) {
     let options = ReadOptions { format, attributes: data.len() % 4 != 1, ..ReadOptions::default() };
     let file = from_file(data, &options);
@@ -42,7 +42,7 @@ fn from_pipe(data: &[u8], options: &ReadOptions) -> Result<Scan, Error> {
     bounded(data, || read_from(Box::new(Cursor::new(copy)), "pipe", options))
 }
 
-/// What holds of every read: columns of one length, a message that names the input and a place, bounded memory.
+/// The promises of every read: columns of one length, a message that names the input and a place, bounded memory.
 fn bounded(data: &[u8], read: impl FnOnce() -> Result<Scan, Error>) -> Result<Scan, Error> {
     MEMORY.reset_peak_usage();
     let before = MEMORY.current_usage();

@@ -11,7 +11,7 @@ const USAGE: &str = "\
 Usage: cargo xtask TASK
 
   test [ARGS...]  run all tests; ARGS go to `cargo test`
-  rivals          compare with other programs, which pip and npm install in out; a browser, if there is none, apt
+  rivals          compare with other programs; installs them in `out` by pip and npm, and a browser by apt if none is there
   man             write the manual pages to out/man";
 
 fn main() -> ExitCode {

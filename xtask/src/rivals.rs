@@ -1,17 +1,17 @@
-//! Comparisons with other people's programs: what they read of the same files, what they write that we read, and whether
-//! they open what is written.
+//! Comparisons with other people's programs: on the same inputs, on files of theirs that we read, and on files of ours that
+//! they open.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::{cargo, root};
 
-/// What is compared with.
+/// The programs compared with.
 const PACKAGES: [&str; 14] = [
     "numpy", "laspy", "lazrs", "plyfile", "pye57", "pypcd4", "ezdxf", "fiona", "trimesh", "pyvista",
     "pyarrow", "pandas", "duckdb", "pillow",
 ];
-/// What draws and checks GLB.
+/// The programs that draw and check GLB.
 const MODULES: [&str; 2] = ["three", "gltf-validator"];
 /// Browsers by the names they go by.
 const BROWSERS: [&str; 5] =

@@ -23,7 +23,7 @@ pub fn run(args: &[&str]) -> Result<(), String> {
         .map_err(|e| format!("cannot run cargo: {e}"))?;
     let mut tally = Tally::default();
     for line in child.stdout.take().into_iter().flat_map(|out| BufReader::new(out).lines()) {
-        let line = line.map_err(|e| format!("cannot read what the tests print: {e}"))?;
+        let line = line.map_err(|e| format!("cannot read the output of the tests: {e}"))?;
         println!("{line}");
         tally.count(&line);
     }

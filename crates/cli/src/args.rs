@@ -77,7 +77,7 @@ pub enum Command {
     /// Cut a scan by planes and write a picture of each slice
     #[command(long_about = slices::ABOUT)]
     Slices(Slices),
-    /// Tell what a scan file holds
+    /// Describe the content of a scan file
     #[command(long_about = info::ABOUT)]
     Info(Info),
     /// Print every parameter as a commented TOML file

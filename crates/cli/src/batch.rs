@@ -1,10 +1,10 @@
-//! One input or many: what is said of each, and of all at the end.
+//! One input or many: messages about each, and a table of all at the end.
 
 use crate::args::Running;
 use crate::failure::{Code, Failure};
 use crate::source::Origin;
 
-/// What came of one input.
+/// The outcome of one input.
 pub struct Done {
     /// The summary.
     pub lines: Vec<String>,
@@ -13,7 +13,7 @@ pub struct Done {
 }
 
 /// Treats each input by `treat`, which gets its number. One input gets its summary, and its failure is the program's.
-/// Of several, a failed one leaves the others alone; each failure is told when it happens, and a table of all closes.
+/// Of several, a failed one leaves the others alone; each failure is reported at once, and a table of all comes at the end.
 ///
 /// # Errors
 /// The failure of a single input; partial if one or more of several failed.

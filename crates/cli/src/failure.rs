@@ -1,4 +1,4 @@
-//! Why the program stops, and the exit code that says so.
+//! Failures, and their exit codes.
 
 use std::fmt::Display;
 
@@ -39,7 +39,7 @@ pub struct Failure {
     pub code: Code,
     /// File, place, value and reason.
     pub message: String,
-    /// What to do about it.
+    /// A remedy.
     pub advice: Option<String>,
 }
 
@@ -49,7 +49,7 @@ impl Failure {
         Self { code, message: message.to_string(), advice: None }
     }
 
-    /// The same, with what to do about it.
+    /// The same, with a remedy.
     pub fn advise(self, advice: impl Into<String>) -> Self {
         Self { advice: Some(advice.into()), ..self }
     }
@@ -74,9 +74,9 @@ impl From<lineament::Error> for Failure {
             lineament::Error::Parameter { .. } => {
                 Some("`lineament params` lists all parameters with their ranges")
             }
-            lineament::Error::TooFewPoints { .. } => Some(
-                "`lineament info FILE` tells what the file holds; `lineament render --network none` draws it",
-            ),
+            lineament::Error::TooFewPoints { .. } => {
+                Some("`lineament info FILE` describes the file; `lineament render --network none` draws it")
+            }
             _ => None,
         };
         Self { code: Code::Refused, message: error.to_string(), advice: advice.map(String::from) }

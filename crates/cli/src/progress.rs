@@ -1,4 +1,4 @@
-//! What the program is at, on the terminal, while work is long.
+//! Progress on the terminal while work is long.
 
 use std::io::IsTerminal;
 use std::sync::mpsc::{RecvTimeoutError, channel};

@@ -17,7 +17,7 @@ mod stages;
 use crate::args::Command;
 use crate::failure::Failure;
 
-/// Does what the command line asks for.
+/// Runs the command.
 pub fn run(command: Command) -> Result<(), Failure> {
     match command {
         Command::Extract(args) => extract::run(&args),

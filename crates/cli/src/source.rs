@@ -19,7 +19,7 @@ pub enum Origin {
     Sample { name: String, seed: u64 },
 }
 
-/// A cloud with what outputs and messages say of it.
+/// A cloud with its origin, for outputs and messages.
 pub struct Input {
     pub cloud: Cloud,
     /// File name without folders, `stdin`, or `sample NAME, seed N`.
@@ -30,9 +30,9 @@ pub struct Input {
     pub las: Option<LasFrame>,
     /// The name of the format, and the number of bytes; nothing for a generated scan.
     pub format: Option<(String, u64)>,
-    /// What is missing from a file that was salvaged.
+    /// The missing part of a salvaged file.
     pub missing: Option<String>,
-    /// What was passed over in the file; a sentence each.
+    /// Parts of the file that were left out, one sentence each.
     pub remarks: Vec<String>,
     /// Seconds that reading took.
     pub seconds: f64,
@@ -41,7 +41,7 @@ pub struct Input {
 /// The inputs of a command line, in order.
 ///
 /// # Errors
-/// Usage if there is none, or standard input is named twice.
+/// Usage if standard input is named twice.
 pub fn origins(source: &Source) -> Result<Vec<Origin>, Failure> {
     if let Some(name) = &source.sample {
         return Ok(vec![Origin::Sample { name: name.clone(), seed: source.seed }]);
@@ -71,7 +71,7 @@ impl Origin {
         }
     }
 
-    /// What outputs are named after: the file name without its extension, `stdin`, or the sample's name.
+    /// The stem of output names: the file name without its extension, `stdin`, or the sample's name.
     pub fn stem(&self) -> OsString {
         match self {
             Origin::File(path) => path.file_stem().unwrap_or_default().into(),
@@ -92,7 +92,7 @@ impl Origin {
     /// Reads or generates the points.
     ///
     /// # Errors
-    /// Input if a file cannot be read, usage if there is no such sample, refused if `--strict` says so.
+    /// Input if a file cannot be read, usage for an unknown sample, refused by `--strict`.
     pub fn load(&self, reading: &Reading, options: &ReadOptions) -> Result<Input, Failure> {
         let start = Instant::now();
         let options = &with_reading(options, reading);
@@ -126,7 +126,7 @@ impl Origin {
     }
 }
 
-/// The options with what the command line says of reading.
+/// The options, completed by the command line.
 fn with_reading(options: &ReadOptions, reading: &Reading) -> ReadOptions {
     ReadOptions {
         salvage: reading.salvage,
@@ -186,7 +186,7 @@ pub fn print_list() -> Result<(), Failure> {
     print(&samples.iter().map(line).collect::<String>())
 }
 
-/// Writes a text to standard output. A reader that has gone away is no error: it has seen what it wanted.
+/// Writes a text to standard output. A closed pipe is not an error: its reader has seen enough.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut stdout = std::io::stdout().lock();
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {

@@ -1,4 +1,4 @@
-//! What the program says at the end, on standard error.
+//! Messages at the end of a run, on standard error.
 
 use std::path::PathBuf;
 
@@ -6,7 +6,7 @@ use lineament::{Extraction, Network, NodeKind, Report, StripKind};
 
 use crate::source::Input;
 
-/// Lines about an extraction, without the time. With `verbose`, also what was chosen and passed over.
+/// Lines about an extraction, without the time. With `verbose`, also automatic values and omissions.
 pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> {
     let report = &extraction.report;
     let mut lines = vec![points(input, report), resolution(report), counts(&extraction.network)];
@@ -19,7 +19,7 @@ pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> 
     lines
 }
 
-/// What was read.
+/// The numbers of points read, dropped and merged.
 pub fn points(input: &Input, report: &Report) -> String {
     read(input, [report.read, report.dropped, report.merged])
 }
@@ -75,7 +75,7 @@ pub fn row(read: usize, network: Option<&Network>, seconds: f64) -> Vec<String> 
     [vec![grouped(read)], counts.to_vec(), vec![format!("{seconds:.2}")]].concat()
 }
 
-/// Where the time went; the total includes what is not listed.
+/// The time of each stage; the total includes further work.
 pub fn times(input: &Input, report: &Report, writing: f64, total: f64) -> String {
     let stages = report.stages.iter().map(|(stage, seconds)| (stage.name(), *seconds));
     let all = [("read", input.seconds)].into_iter().chain(stages).chain([("write", writing)]);

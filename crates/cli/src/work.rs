@@ -1,5 +1,5 @@
-//! What the commands that extract do alike: settle everything before the work begins, then treat one input after the
-//! other.
+//! The common course of the commands that extract: check everything before the work begins, then treat one input after
+//! the other.
 
 use std::path::{Path, PathBuf};
 

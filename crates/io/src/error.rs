@@ -1,4 +1,4 @@
-//! What reading and writing refuse. Every message names the file, the place, the value and what to do.
+//! Errors of reading and writing. Every message names the file, the place, the value and a remedy.
 
 use std::fmt;
 use thiserror::Error;
@@ -21,11 +21,11 @@ impl fmt::Display for Place {
     }
 }
 
-/// Bytes of what a message says of an input: a header may name thousands of columns.
+/// Limit on the bytes that a message quotes from an input: a header may name thousands of columns.
 const LONGEST: usize = 300;
 
-/// Text that came from an input, for a message: shortened, and with what is no printable character escaped, so that
-/// no input can steer a terminal.
+/// Text from an input, for a message: shortened, and with unprintable characters escaped, so that no input can steer a
+/// terminal.
 pub(crate) fn printable(text: &str) -> String {
     let mut short = String::new();
     for c in text.chars() {
@@ -49,11 +49,11 @@ pub enum Error {
     /// The system refused an operation.
     #[error("cannot {action} `{name}`: {source}")]
     Io {
-        /// What was tried: `open`, `read`, `write`, ...
+        /// The operation: `open`, `read`, `write`, ...
         action: &'static str,
         /// The file, or `standard input` / `standard output`.
         name: String,
-        /// What the system said.
+        /// The answer of the system.
         #[source]
         source: std::io::Error,
     },
@@ -63,14 +63,14 @@ pub enum Error {
         /// The input.
         name: String,
     },
-    /// The input is none of the formats that are read.
+    /// The input has no known format.
     #[error("`{name}`, byte 0: format not recognised, it begins with {found}: {advice}")]
     UnknownFormat {
         /// The input.
         name: String,
         /// The first bytes, printable.
         found: String,
-        /// What could be done.
+        /// A remedy.
         advice: String,
     },
     /// A format, or a variant of it, that is known but not read or written.
@@ -80,7 +80,7 @@ pub enum Error {
         name: String,
         /// The variant.
         what: String,
-        /// What could be done.
+        /// A remedy.
         advice: String,
     },
     /// The input breaks the rules of its format.
@@ -90,26 +90,26 @@ pub enum Error {
         name: String,
         /// Where.
         place: Place,
-        /// What stands there, with its value.
+        /// The finding there, with its value.
         found: String,
-        /// What was expected or could be done.
+        /// The expectation, or a remedy.
         advice: String,
     },
-    /// The input stops before what its header announces.
+    /// The input ends before the length that its header announces.
     #[error(
-        "`{name}`, {place}: the input ends early, with {read} of {expected} {unit}: get it anew, or read what is \
-         whole with --salvage"
+        "`{name}`, {place}: the input ends early, with {read} of {expected} {unit}: get it anew, or read its whole \
+         part with --salvage"
     )]
     EndsEarly {
         /// The input.
         name: String,
         /// Where it ends.
         place: Place,
-        /// What is counted: `points`, `rows of element face`, ...
+        /// The items counted: `points`, `rows of element face`, ...
         unit: String,
         /// How many the header announces.
         expected: u64,
-        /// How many are there whole.
+        /// How many are whole.
         read: u64,
     },
     /// The extension of an output names no format.
@@ -140,12 +140,12 @@ pub enum Error {
         /// Its folder.
         folder: String,
     },
-    /// What is to be written does not fit together.
+    /// The data to write do not fit together.
     #[error("output `{name}`: {what}")]
     Inconsistent {
         /// The output.
         name: String,
-        /// What does not fit, with its values.
+        /// The contradiction, with its values.
         what: String,
     },
 }

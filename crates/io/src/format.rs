@@ -86,7 +86,7 @@ pub enum NetworkFormat {
     Glb,
     /// VTK polygonal data.
     Vtp,
-    /// A row a point.
+    /// A row for each point.
     Csv,
 }
 
@@ -120,7 +120,7 @@ pub enum PointFormat {
 pub enum PatchFormat {
     /// The schema `lineament-network/1` with loops, sides and surfaces.
     Json,
-    /// The loops as 3D polylines, a layer a patch.
+    /// The loops as 3D polylines, a layer for each patch.
     Dxf,
     /// The points with the patch of each.
     Points(PointFormat),
@@ -132,11 +132,11 @@ pub enum PatchFormat {
 pub enum SectionFormat {
     /// The documented schema `lineament-section/1`.
     Json,
-    /// Wavefront lines, a group a slice.
+    /// Wavefront lines, a group for each slice.
     Obj,
     /// Vertices and edges, binary.
     Ply,
-    /// Lines, arcs, circles and polylines, release 12, a layer a slice; names of the runs as texts.
+    /// Lines, arcs, circles and polylines, release 12, a layer for each slice; names of the runs as texts.
     Dxf,
     /// A sheet with all slices side by side.
     Svg,
@@ -245,7 +245,10 @@ fn listed<T>(written: fn(&FileFormat) -> Written<T>) -> Vec<(&'static str, &'sta
     FORMATS.iter().filter_map(|f| Some((*f.extensions.first()?, written(f)?.1))).collect()
 }
 
-/// The formats with this use for a help text: extensions and what each holds, formats that hold the same on one line.
+/// Longest list of extensions that its help stands beside; that of a longer one stands below.
+const WIDEST: usize = 12;
+
+/// The formats with this use for a help text: extensions and content, formats of one content on one line.
 ///
 /// ```
 /// let help = lineament_io::format_help(|format| format.network);
@@ -259,7 +262,11 @@ pub fn format_help<T>(written: fn(&FileFormat) -> Written<T>) -> String {
             None => lines.push((format!(".{extension}"), help)),
         }
     }
-    let width = lines.iter().map(|(extensions, _)| extensions.len()).max().unwrap_or(0);
-    let lines = lines.iter().map(|(extensions, help)| format!("  {extensions:width$}  {help}"));
-    lines.collect::<Vec<String>>().join("\n")
+    let widths = lines.iter().map(|(extensions, _)| extensions.len());
+    let width = widths.filter(|&width| width <= WIDEST).max().unwrap_or(0);
+    let shown = lines.iter().map(|(extensions, help)| match extensions.len() > width {
+        true => format!("  {extensions}\n  {:width$}  {help}", ""),
+        false => format!("  {extensions:width$}  {help}"),
+    });
+    shown.collect::<Vec<String>>().join("\n")
 }

@@ -9,7 +9,7 @@
 //!
 //! Formats are recognised by content first and by extension second. Every reader gives all points or an
 //! [`Error`] that names the file, the place and the reason; counts and lengths that a file claims are compared
-//! with the bytes that are there before memory is taken for them. Outputs appear whole or not at all.
+//! with its actual bytes before memory is taken for them. Outputs appear whole or not at all.
 #![forbid(unsafe_code)]
 
 mod columns;

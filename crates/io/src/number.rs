@@ -6,7 +6,7 @@ const EXACT_POWERS: [f64; 23] = [
     1e19, 1e20, 1e21, 1e22,
 ];
 
-/// The nearest f64 to a decimal number with a point; also `nan`, `inf` and what the Microsoft C library prints
+/// The nearest f64 to a decimal number with a point; also `nan`, `inf` and the spellings of the Microsoft C library
 /// for them. `None` if the bytes are not one whole number. Leading `+` is allowed, surrounding space is not.
 ///
 /// Up to 19 digits with a small exponent take the exact fast path (Clinger 1990: digits and power of ten are both
@@ -75,7 +75,7 @@ fn slow(bytes: &[u8]) -> Option<f64> {
     nan.then_some(f64::NAN)
 }
 
-/// An unsigned decimal integer of digits alone; `None` if it is none or does not fit.
+/// An unsigned decimal integer of digits alone; `None` for other text, or if it does not fit.
 pub(crate) fn integer(bytes: &[u8]) -> Option<u64> {
     if bytes.is_empty() {
         return None;
@@ -89,7 +89,7 @@ pub(crate) fn integer(bytes: &[u8]) -> Option<u64> {
     })
 }
 
-/// The next token of a line whose tokens are separated by blanks, and what follows it.
+/// The next token of a line whose tokens are separated by blanks, and the rest of the line.
 #[inline]
 pub(crate) fn token(line: &[u8]) -> Option<(&[u8], &[u8])> {
     let start = line.iter().position(|&b| !is_blank(b))?;
@@ -113,7 +113,7 @@ pub(crate) fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b'\r')
 }
 
-/// At most 40 bytes of a token as text for a message, with what cannot be printed escaped.
+/// At most 40 bytes of a token as text for a message, unprintable ones escaped.
 pub(crate) fn shown(bytes: &[u8]) -> String {
     let short = &bytes[..bytes.len().min(40)];
     let more = if bytes.len() > 40 { "..." } else { "" };

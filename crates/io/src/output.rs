@@ -27,7 +27,7 @@ enum Writer {
 /// Bytes gathered before they go to the system.
 const BUFFER: usize = 1 << 17;
 
-/// Whether an output could be made: its folder is there, and it is none of the inputs, by whatever path or link.
+/// Checks that an output could be made: its folder exists, and no input is the same file by another path or link.
 ///
 /// # Errors
 /// [`Error::NoFolder`], [`Error::OutputIsInput`], or [`Error::Io`] for a target that is a folder.
@@ -110,7 +110,7 @@ impl Output {
         output.finish()
     }
 
-    /// Syncs what was written and puts it in its place.
+    /// Syncs the bytes written and moves the file to its place.
     ///
     /// # Errors
     /// [`Error::Io`] if the system refuses, a full disk above all; the target is then as it was.

@@ -31,15 +31,14 @@ use std::path::Path;
 /// How an input is read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadOptions {
-    /// Take what is whole of an input that ends early, instead of refusing it. `Scan::missing` then says what
-    /// is not there.
+    /// Read the whole part of an input that ends early, instead of refusing it. `Scan::missing` then counts the rest.
     pub salvage: bool,
     /// Keep the columns beside the positions. Without them reading is faster and takes less memory.
     pub attributes: bool,
     /// Compute the SHA-256 of the input on the way.
     pub hash: bool,
     /// Bytes that the points of a compressed input may take in memory. `None` is 64 MiB and eight times the input:
-    /// enough for what programs write, too little for a small file that unpacks without end.
+    /// enough for the files of common programs, too little for a small file that unpacks without end.
     pub memory: Option<u64>,
     /// Read only this scan of an input that holds several, counted from 1.
     pub scan: Option<usize>,
@@ -69,7 +68,7 @@ impl Default for ReadOptions {
     }
 }
 
-/// What an input gave.
+/// The content of an input.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scan {
     /// The points in the order and the unit of the input; non-finite rows are in it.
@@ -78,9 +77,9 @@ pub struct Scan {
     pub format: Format,
     /// The name of the input, as in messages.
     pub name: String,
-    /// What of the input is not in the cloud, one sentence each.
+    /// Parts of the input that are not in the cloud, one sentence each.
     pub ignored: Vec<String>,
-    /// What is missing of an input that ended early; only with `ReadOptions::salvage`.
+    /// The missing part of an input that ended early; only with `ReadOptions::salvage`.
     pub missing: Option<Missing>,
     /// The coordinate reference system by its name or as `EPSG:` and a code, where the input states one.
     pub crs: Option<String>,
@@ -92,10 +91,10 @@ pub struct Scan {
     pub bytes: u64,
 }
 
-/// What an input announced and does not hold.
+/// Items that an input announced and does not hold.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Missing {
-    /// What is counted, such as `points`.
+    /// The items counted, such as `points`.
     pub unit: String,
     /// How many were announced.
     pub expected: u64,
@@ -110,7 +109,7 @@ impl fmt::Display for Missing {
     }
 }
 
-/// What a reader of one format gives.
+/// The result of a reader.
 #[derive(Default)]
 pub(crate) struct Decoded {
     pub cloud: Cloud,

@@ -16,7 +16,7 @@ const BLOCK: usize = 1 << 18;
 /// An input that can be read at any place.
 pub(crate) type Input = Box<dyn ReadSeek>;
 
-/// What [`Input`] is made of.
+/// The parts of an [`Input`].
 pub(crate) trait ReadSeek: Read + Seek + Send + Sync {}
 impl<T: Read + Seek + Send + Sync> ReadSeek for T {}
 
@@ -34,7 +34,7 @@ pub(crate) struct Source {
     terminator: u8,
     hash: Option<Sha256>,
     path: Option<PathBuf>,
-    /// What was consumed of a pipe since [`Source::keep`] asked for it.
+    /// Bytes of a pipe consumed since [`Source::keep`] asked for them.
     kept: Vec<u8>,
     keeping: bool,
 }
@@ -61,12 +61,12 @@ impl Source {
         }
     }
 
-    /// Keeps what is consumed from now on if the input cannot be opened again, for [`Source::seekable`].
+    /// Keeps the bytes consumed from now on if the input cannot be opened again, for [`Source::seekable`].
     pub fn keep(&mut self) {
         self.keeping = self.path.is_none();
     }
 
-    /// Says where the input can be opened again.
+    /// Sets the path by which the input can be opened again.
     pub fn at(mut self, path: &Path) -> Self {
         self.path = self.length.map(|_| path.to_path_buf());
         self
@@ -198,7 +198,7 @@ impl Source {
         Ok(Some(line.strip_suffix(b"\r").unwrap_or(line)))
     }
 
-    /// The SHA-256 of what was consumed and buffered, in hexadecimal; `None` if it was not asked for.
+    /// The SHA-256 of the bytes consumed and buffered, in hexadecimal; `None` if it was not asked for.
     pub fn sha256(&mut self) -> Option<String> {
         let digest = self.hash.take()?.finalize();
         Some(digest.iter().map(|byte| format!("{byte:02x}")).collect())
@@ -224,7 +224,7 @@ impl Source {
         }
     }
 
-    /// The input stopped short of what was announced.
+    /// The error for an input that ends before its announced length.
     pub fn ends_early(&self, unit: impl Into<String>, expected: u64, read: u64) -> Error {
         let place = Place::Byte(self.size());
         Error::EndsEarly { name: self.name.clone(), place, unit: printable(&unit.into()), expected, read }

@@ -1,6 +1,5 @@
 //! From networks, points, patches and sections to files.
 
-mod check;
 mod encode;
 mod network;
 mod patches;

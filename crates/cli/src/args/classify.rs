@@ -12,8 +12,8 @@ use super::parse;
 pub const ABOUT: &str = "\
 Classify each point: 0 smooth, 1 crease, 2 border, 3 corner
 
-  lineament classify part.ply -o part.npy     the classes alone, as a NumPy array
-  lineament classify part.ply -o part.las     all points with class, score and the attributes of part.ply
+  lineament classify part.ply -o part.npy    the classes alone, as a NumPy array
+  lineament classify part.ply -o part.las    the points with class, score and attributes
 
 There is no default output: name at least one with -o.";
 

@@ -11,10 +11,10 @@ use super::parse;
 pub const ABOUT: &str = "\
 Find the feature lines of a scan and write them as curves
 
-  lineament extract part.ply                  writes part.lines.json and part.lines.obj beside part.ply
-  lineament extract part.ply -o part.dxf      writes part.dxf alone
+  lineament extract part.ply                writes part.lines.json and part.lines.obj
+  lineament extract part.ply -o part.dxf    writes part.dxf alone
 
-Creases are lines where faces meet, borders lines where the surface ends; they join in junctions and corners.";
+Without -o the files stand beside the input. Creases are lines where faces meet, borders lines where the surface ends; they join in junctions and corners.";
 
 /// The foot of the help.
 fn help() -> String {

@@ -7,9 +7,9 @@ use super::parse;
 
 /// The head of the long help.
 pub const ABOUT: &str = "\
-Tell what a scan file holds
+Describe the content of a scan file
 
-  lineament info part.ply        format, number of points, attributes, bounds, spacing and noise
+  lineament info part.ply    format, number of points, attributes, bounds, spacing, noise
 
 Everything goes to standard output; no file is written.";
 

@@ -8,8 +8,8 @@ use super::groups::Tuning;
 pub const ABOUT: &str = "\
 Print every parameter as a commented TOML file
 
-  lineament params > tuning.toml                                          a file to edit, for --params
-  lineament params --params tuning.toml --set penalty.fold_deg=15         the values in effect
+  lineament params > tuning.toml                 a file to edit, for --params
+  lineament params --set penalty.fold_deg=15     the values in effect
 
 The text goes to standard output; no file is written.";
 

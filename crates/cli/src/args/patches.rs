@@ -10,8 +10,8 @@ use super::groups::Work;
 pub const ABOUT: &str = "\
 Divide a scan into its smooth patches and write their points, boundary loops and surfaces
 
-  lineament patches part.ply -o part.patches.ply      all points with the number of their patch
-  lineament patches part.ply -o part.patches.json     loops, areas and fitted surfaces
+  lineament patches part.ply -o part.patches.ply     the points with the number of their patch
+  lineament patches part.ply -o part.patches.json    loops, areas and fitted surfaces
 
 There is no default output: name at least one with -o. The lines between the patches are those of the method
 `segments` unless --method, --params or --set chooses another.";

@@ -11,8 +11,8 @@ use super::parse;
 pub const ABOUT: &str = "\
 Draw a scan and its lines as a PNG picture
 
-  lineament render part.ply -o part.png                                 computes the lines
-  lineament render part.ply -o part.png --network part.lines.json       draws lines that `extract` wrote
+  lineament render part.ply -o part.png                              computes the lines
+  lineament render part.ply -o part.png --network part.lines.json    lines of `extract`
 
 There is no default output: name it with -o.";
 

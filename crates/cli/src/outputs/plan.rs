@@ -6,7 +6,7 @@ use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 use crate::failure::{Code, Failure};
 use crate::source::Origin;
 
-/// What stands for an input's name in a pattern.
+/// The place of an input's name in a pattern.
 const STEM: &str = "{stem}";
 
 /// For each input the outputs: `asked`, where a folder means files in it that are named after the input with each of

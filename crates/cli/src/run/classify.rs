@@ -16,10 +16,10 @@ use crate::summary::plural;
 use crate::work::{self, Work};
 use crate::{outputs, summary};
 
-/// What a folder gets.
+/// Suffixes of the files that a folder gets.
 const SUFFIXES: [&str; 1] = ["classes.npy"];
 
-/// What was found of the points, and what to say of it.
+/// Classes and scores of the points, with messages about them.
 struct Found {
     classes: Vec<Class>,
     scores: Vec<f32>,

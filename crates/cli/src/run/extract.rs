@@ -15,10 +15,10 @@ use crate::source::{self, Origin};
 use crate::work::{self, Work};
 use crate::{outputs, summary};
 
-/// What a folder, or the place beside an input, gets.
+/// Suffixes of the files in a folder, or beside an input.
 const SUFFIXES: [&str; 2] = ["lines.json", "lines.obj"];
 
-/// Reads, extracts, writes, and says what came of it.
+/// Reads, extracts, writes, and reports.
 pub fn run(args: &Extract) -> Result<(), Failure> {
     if source::is_list(&args.work.source) {
         return source::print_list();

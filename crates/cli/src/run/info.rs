@@ -19,7 +19,7 @@ const NEIGHBORS: usize = 12;
 /// Fewer points have a spacing, but no noise that means anything.
 const LEAST_FOR_NOISE: usize = 20;
 
-/// Prints what each file holds, on standard output.
+/// Describes each file on standard output.
 pub fn run(args: &Info) -> Result<(), Failure> {
     if source::is_list(&args.source) {
         return source::print_list();

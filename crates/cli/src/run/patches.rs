@@ -18,7 +18,7 @@ use crate::summary::plural;
 use crate::work::{self, Work};
 use crate::{outputs, summary};
 
-/// What a folder gets.
+/// Suffixes of the files that a folder gets.
 const SUFFIXES: [&str; 2] = ["patches.json", "patches.ply"];
 
 /// Reads, extracts, finds the patches, and writes them as points, loops or both.

@@ -15,7 +15,7 @@ use crate::source::{self, Input, Origin};
 use crate::work::{self, Work};
 use crate::{network_file, outputs, summary};
 
-/// What a folder gets.
+/// Suffixes of the files that a folder gets.
 const SUFFIXES: [&str; 1] = ["png"];
 
 /// Reads, extracts if asked to, draws, and writes the picture.

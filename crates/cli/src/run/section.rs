@@ -13,10 +13,10 @@ use crate::failure::Failure;
 use crate::source::{self, Origin};
 use crate::{config, outputs, summary};
 
-/// What a folder gets.
+/// Suffixes of the files that a folder gets.
 const SUFFIXES: [&str; 2] = ["sections.json", "sections.dxf"];
 
-/// Reads, slices, writes, and says what came of it.
+/// Reads, slices, writes, and reports.
 pub fn run(args: &Section) -> Result<(), Failure> {
     if source::is_list(&args.source) {
         return source::print_list();

@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::source::{self, Origin};
 use crate::{config, outputs, summary};
 
-/// Writes a picture a slice. Of several inputs each gets a folder of its own, named after it.
+/// Writes a picture of each slice. Of several inputs each gets a folder of its own, named after it.
 pub fn run(args: &Slices) -> Result<(), Failure> {
     if source::is_list(&args.source) {
         return source::print_list();

@@ -1,4 +1,4 @@
-//! `--stages`: what the method `segments` went through.
+//! `--stages`: the stages of the method `segments`.
 
 use std::path::{Path, PathBuf};
 

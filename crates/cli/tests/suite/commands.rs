@@ -184,6 +184,18 @@ fn help_lists_every_command_and_every_exit_code() {
     }
 }
 
+#[test]
+fn the_help_of_each_command_begins_with_examples_of_it() {
+    let sandbox = Sandbox::new();
+    let commands = ["extract", "classify", "patches", "render", "slices", "info", "params", "completions"];
+    for command in commands {
+        let text = sandbox.run(&[command, "--help"]).expect(0).text();
+        let head = text.split("Usage:").next().unwrap();
+        assert!(head.contains(&format!("\n  lineament {command} ")), "{head}");
+        assert!(head.contains("write") || head.contains("output"), "{head}");
+    }
+}
+
 /// Width, height and RGB bytes of a PNG file.
 fn decode(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
     let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
@@ -196,12 +208,14 @@ fn decode(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
 fn every_format_that_the_help_lists_is_written() {
     let sandbox = Sandbox::new();
     sandbox.write_points("cube.xyz", &cube());
-    for command in ["extract", "classify"] {
+    for command in ["extract", "classify", "patches", "section"] {
         let help = sandbox.run(&[command, "--help"]).expect(0).text();
         let listed = help.split("Formats by extension:\n").nth(1).unwrap().split("\n\n").next().unwrap();
-        let extensions: Vec<&str> =
-            listed.lines().filter_map(|line| line.trim().strip_prefix('.')?.split(' ').next()).collect();
-        assert!(extensions.len() >= 2, "{listed}");
+        let extensions: Vec<&str> = listed
+            .lines()
+            .flat_map(|line| line.split_whitespace().map_while(|word| word.strip_prefix('.')))
+            .collect();
+        assert!(extensions.len() >= 6, "{listed}");
         for extension in extensions {
             let output = format!("{command}.{extension}");
             sandbox.run(&[command, "cube.xyz", "-o", &output]).expect(0);

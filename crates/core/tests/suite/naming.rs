@@ -1,4 +1,4 @@
-//! Parts of many kinds are named as what they are: `examples/naming_table.rs` tells more of each.
+//! Parts of many kinds are named as what they are: `naming_table` in `tools/` tells more of each.
 
 #[path = "naming/judge.rs"]
 mod judge;

@@ -36,7 +36,7 @@ pub(crate) const SHARED: usize = 1 << 20;
 /// Rows that a thread takes at least.
 const LEAST_ROWS: usize = 1 << 13;
 
-/// Appends what `take` makes of every row (`stride` bytes each) of `rows`, in their order.
+/// Appends the value that `take` reads from every row (`stride` bytes each) of `rows`, in their order.
 fn each_row<T: Send>(
     values: &mut Vec<T>,
     rows: &[u8],

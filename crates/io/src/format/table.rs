@@ -28,12 +28,12 @@ const fn of_points(
 /// name.
 pub const FORMATS: &[FileFormat] = &[
     FileFormat {
-        network: Some((NetworkFormat::Json, "everything found, in the schema lineament-network/1")),
+        network: Some((NetworkFormat::Json, "everything found (schema lineament-network/1)")),
         patches: Some((
             PatchFormat::Json,
-            "loops, neighbours, areas and surfaces, in the schema lineament-network/1",
+            "loops, neighbours, areas and surfaces (schema lineament-network/1)",
         )),
-        section: Some((SectionFormat::Json, "everything found, in the schema lineament-section/1")),
+        section: Some((SectionFormat::Json, "everything found (schema lineament-section/1)")),
         ..named("JSON", &["json"])
     },
     FileFormat {
@@ -53,7 +53,7 @@ pub const FORMATS: &[FileFormat] = &[
         patches: Some((PatchFormat::Dxf, "the loops as 3D polylines, a layer for each patch")),
         section: Some((
             SectionFormat::Dxf,
-            "lines, arcs and circles, a layer for each slice, and the names of holes, extrusions, ...",
+            "lines, arcs and circles, a layer for each slice, and the names of features",
         )),
         ..named("DXF", &["dxf"])
     },

@@ -39,7 +39,7 @@ fn unknown(start: &[u8], named: Option<Format>, name: &str) -> Error {
         "it looks like UTF-16 text: save it as UTF-8".into()
     } else {
         match named {
-            Some(format) => format!("the name says {format}, the content does not; {known}"),
+            Some(format) => format!("the name suggests {format}, the content does not; {known}"),
             None => known,
         }
     };
@@ -58,13 +58,13 @@ fn by_magic(start: &[u8]) -> Option<Format> {
     MAGIC.iter().find(|(_, magic)| start.starts_with(magic)).map(|(format, _)| *format)
 }
 
-/// STL has no magic: binary is told by its length, or by its name where the length does not fit.
+/// STL has no magic: binary is recognised by its length, or by its name where the length does not fit.
 fn stl(start: &[u8], length: Option<u64>, named: Option<Format>) -> Option<Format> {
     let cut = named == Some(Format::Stl) && start.contains(&0);
     (stl::is_binary(start, length) || stl::is_ascii(start) || cut).then_some(Format::Stl)
 }
 
-/// Text is what its first statement says, or by its name what has none, and otherwise a table.
+/// Text is recognised by its first statement, without one by its name, and is otherwise a table.
 fn by_text(start: &[u8], named: Option<Format>) -> Option<Format> {
     let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start);
     if start.contains(&0) {

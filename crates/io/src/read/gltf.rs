@@ -57,7 +57,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     Ok(out)
 }
 
-/// The accessors of positions, each with what the nodes above it do to them.
+/// The accessors of positions, each with the transformation by the nodes above it.
 fn positions(document: &Document) -> Result<Vec<(usize, Transform)>, String> {
     let mut found = Vec::new();
     let mut mesh = |index: usize, transform: Transform| {

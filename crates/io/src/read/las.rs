@@ -93,7 +93,7 @@ fn ahead(source: &mut Source, at: u64, count: usize) -> Result<Option<Vec<u8>>, 
     Ok(found)
 }
 
-/// Says what of the extended records is not in the cloud, and what is not in the input.
+/// Notes the extended records that are not in the cloud, and those that are not in the input.
 fn note_extended((others, missing): (u32, u32), out: &mut Decoded) {
     if others > 0 {
         out.ignored.push(format!("{others} extended variable length records"));
@@ -104,7 +104,7 @@ fn note_extended((others, missing): (u32, u32), out: &mut Decoded) {
     }
 }
 
-/// Says how many points lie outside the bounds that the header states: a decoder cannot notice all damage.
+/// Counts the points outside the bounds that the header states: a decoder cannot notice all damage.
 fn note_bounds(table: &Table, out: &mut Decoded) {
     let outside = table.grid.as_ref().map_or(0, |grid| grid.outside);
     if outside > 0 {
@@ -112,7 +112,7 @@ fn note_bounds(table: &Table, out: &mut Decoded) {
     }
 }
 
-/// Says what follows the points, other than extended records.
+/// Notes the bytes after the points, other than extended records.
 fn note_rest(source: &mut Source, header: &Header, rows: u64, out: &mut Decoded) -> Result<(), Error> {
     let extra = source.drain()?;
     if rows == header.points && extra > 0 && header.minor < 4 {

@@ -1,4 +1,4 @@
-//! The bound on what a compressed input may take in memory.
+//! The limit on the memory of a compressed input once it is unpacked.
 
 use super::ReadOptions;
 use crate::error::{Error, Place};
@@ -9,7 +9,7 @@ const BASE: u64 = 64 << 20;
 /// Bytes that every byte of an input may take.
 pub(super) const FACTOR: u64 = 8;
 
-/// Bytes that what is unpacked may take.
+/// Limit on the bytes of the unpacked points.
 pub(super) fn bound(source: &Source, options: &ReadOptions) -> u64 {
     options.memory.unwrap_or(BASE.saturating_add(source.size().saturating_mul(FACTOR)))
 }
@@ -21,7 +21,7 @@ pub(super) fn check(source: &Source, options: &ReadOptions, rows: u64, bytes: us
     if needed <= bound {
         return Ok(());
     }
-    // The claim stands in a header; where reading has got to says nothing.
+    // The claim stands in a header; the place of reading means nothing.
     Err(beyond(source, options, 0, &format!("{rows} points that unpack to {needed} bytes")))
 }
 

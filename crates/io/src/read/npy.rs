@@ -117,7 +117,7 @@ pub(super) fn text(source: &mut Source) -> Result<String, Error> {
     Ok(text)
 }
 
-/// What follows a key of the dictionary.
+/// The text after a key of the dictionary.
 fn value<'a>(text: &'a str, key: &str) -> Option<&'a str> {
     let at = text.find(&format!("'{key}'")).or_else(|| text.find(&format!("\"{key}\"")))?;
     text[at + key.len() + 2..].trim_start().strip_prefix(':').map(str::trim_start)

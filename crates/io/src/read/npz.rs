@@ -1,5 +1,5 @@
 //! NPZ, NumPy's archives of arrays: the points are an array of (N, 3) or more numbers, a structured array with x, y and
-//! z, or three arrays called x, y and z. Every other array with a row a point becomes attributes.
+//! z, or three arrays called x, y and z. Every other array with a row for each point becomes attributes.
 
 use super::npy::{self, Header};
 use super::rows::Field;
@@ -15,7 +15,7 @@ const ARRAY: u64 = 1 << 14;
 /// Names that arrays of points have by custom; the only array with three columns is taken under any name.
 const POINTS: [&str; 8] = ["points", "xyz", "positions", "pos", "coords", "coordinates", "vertices", "pc"];
 
-/// An array: its name, where it is, and what its header says.
+/// An array: its name, its place, and its header.
 struct Array {
     name: String,
     entry: Entry,
@@ -53,7 +53,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     Ok(out)
 }
 
-/// The headers of all arrays; what is no array of numbers is noted.
+/// The headers of all arrays of numbers; other entries are noted.
 fn headers(
     source: &Source,
     options: &ReadOptions,

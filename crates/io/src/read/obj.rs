@@ -59,7 +59,7 @@ struct Vertex {
     colour: Option<[f64; 3]>,
 }
 
-/// A vertex from what follows `v`; on failure what is wrong, and whether it is that the line is too short.
+/// A vertex from the rest of a `v` line; on failure the fault, and whether the line is too short.
 fn vertex(rest: &[u8]) -> Result<Vertex, (String, bool)> {
     let mut values = [0.0; 7];
     let mut count = 0;

@@ -46,7 +46,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     Ok(out)
 }
 
-/// Reads vertices that have a line each, with what stands beside them.
+/// Reads vertices on lines of their own, with further numbers beside them.
 fn lines(
     source: &mut Source,
     options: &ReadOptions,
@@ -82,8 +82,8 @@ fn lines(
     Ok(None)
 }
 
-/// What is missing, and what is expected, where the first line of vertices has so many numbers: several vertices on a
-/// line cannot be told from one with a normal or a colour.
+/// The unit of missing vertices where the first line has so many numbers: several vertices on a line cannot be told from
+/// one with a normal or a colour.
 fn unit(width: usize) -> String {
     if width > 3 { format!("vertices (lines of {width} numbers)") } else { "vertices".into() }
 }
@@ -98,7 +98,7 @@ fn advice(width: usize) -> String {
     }
 }
 
-/// Reads vertices whose numbers follow each other with no regard to lines. Gives what stands behind the last on its line.
+/// Reads vertices whose numbers run over lines. Returns the rest of the line after the last one.
 fn running(
     source: &mut Source,
     options: &ReadOptions,

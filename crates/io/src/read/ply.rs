@@ -72,7 +72,7 @@ fn skip(source: &mut Source, encoding: Encoding, element: &Element) -> Result<u6
     }
 }
 
-/// Empty columns, with room for the rows announced as far as the bytes that are there can hold them.
+/// Empty columns, with room for the announced number of rows, up to the number that the bytes of the input can hold.
 fn table(
     source: &Source,
     encoding: Encoding,
@@ -91,7 +91,7 @@ fn table(
     Ok(Table::new(axes, attributes, room))
 }
 
-/// Says what was walked over and what follows the last element.
+/// Notes the elements that were skipped and the bytes after the last one.
 fn note_ignored(
     source: &mut Source,
     header: &Header,

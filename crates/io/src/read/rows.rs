@@ -91,7 +91,7 @@ impl Table {
         Ok(())
     }
 
-    /// Drops what a row that could not be finished left behind.
+    /// Drops the values of an unfinished row.
     pub fn level(&mut self) {
         for (_, attribute) in &mut self.columns {
             truncate(&mut attribute.values, self.positions.len());
@@ -153,7 +153,7 @@ impl Table {
     }
 }
 
-/// Rows to make room for: those announced, as far as the bytes that are there can hold them.
+/// Rows to make room for: the announced number, up to the number that the bytes of the input can hold.
 pub(crate) fn room(source: &Source, announced: u64, least_bytes: u64) -> usize {
     let possible = source.remaining().map_or(1 << 16, |bytes| bytes / least_bytes.max(1));
     announced.min(possible) as usize

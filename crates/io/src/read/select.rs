@@ -5,7 +5,7 @@ use crate::columns::each_column;
 use lineament::Cloud;
 use std::collections::HashMap;
 
-/// Keeps what the options ask for: first the box, then every n-th of what is in it, then one a voxel. Adds a sentence
+/// Selects points by the options: first those in the box, then every n-th of these, then one for each voxel. Adds a sentence
 /// for each that drops points.
 pub(super) fn select(cloud: &mut Cloud, options: &ReadOptions, ignored: &mut Vec<String>) {
     if options.bounds.is_none() && options.every.is_none() && options.voxel.is_none() {

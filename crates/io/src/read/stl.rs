@@ -1,5 +1,5 @@
 //! STL, binary or ascii: the corners of all triangles in order, shared corners as often as they are used. What is
-//! binary is told by its length, since many binary files begin with `solid` too.
+//! binary is recognised by its length, since many binary files begin with `solid` too.
 
 use super::rows::{Field, Table};
 use super::{Decoded, ReadOptions};
@@ -106,7 +106,7 @@ fn ascii(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
     Ok(out)
 }
 
-/// What a line of ascii STL says.
+/// The meaning of a line of ascii STL.
 enum Statement {
     Solid,
     End,

@@ -1,5 +1,5 @@
 //! Rows of numbers: XYZ, TXT, CSV and their kin. The layout (separator, decimal sign, names, a count line) is
-//! recognised from the first rows; what could be read in two ways is refused, and every later row must fit.
+//! recognised from the first rows; an ambiguous table is refused, and every later row must fit.
 
 mod layout;
 mod split;
@@ -88,11 +88,11 @@ fn finish(
     Ok(out)
 }
 
-/// What keeps a line from being a row.
+/// The reason why a line is not a row.
 enum Fault {
     /// It has this number of columns.
     Columns(usize),
-    /// Column by index, and what stands there.
+    /// Index of the column, and its text.
     Number(usize, String),
 }
 
@@ -131,7 +131,7 @@ impl Rows {
         Self { positions: Vec::with_capacity(room), columns, keep: options.attributes }
     }
 
-    /// Appends a row; a blank line is none.
+    /// Appends a row; blank lines are skipped.
     fn take(&mut self, line: &[u8], layout: &Layout) -> Result<(), Fault> {
         let mut point = [0.0; 3];
         let mut count = 0;
@@ -166,14 +166,14 @@ impl Rows {
         if count == 0 { Ok(()) } else { Err(Fault::Columns(count)) }
     }
 
-    /// Drops what a row that could not be finished left behind.
+    /// Drops the values of an unfinished row.
     fn level(&mut self) {
         let length = self.positions.len();
         self.columns.iter_mut().for_each(|(_, values)| values.truncate(length));
     }
 }
 
-/// A field as a number; NaN if it is empty or says that nothing is there.
+/// A field as a number; NaN if it is empty or marks a missing value.
 #[inline]
 fn value(field: &[u8], decimal_comma: bool) -> Option<f64> {
     if !decimal_comma && let Some(value) = number::parse(field) {

@@ -39,7 +39,7 @@ impl Shared {
         Ok(bytes)
     }
 
-    /// A reader of so many bytes from a place, or of those of them that are there.
+    /// A reader of so many bytes from a place, or of fewer where the input ends.
     pub fn window(&self, place: u64, count: u64) -> Window {
         let end = place.saturating_add(count).min(self.length);
         Window { shared: self.clone(), at: place.min(end), end }

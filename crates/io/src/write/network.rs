@@ -1,5 +1,6 @@
 //! Networks: one file for each format.
 
+pub(super) mod check;
 mod context;
 mod csv;
 pub(super) mod dxf;
@@ -15,7 +16,6 @@ mod vtp;
 
 pub use context::{NetworkContext, Parameter};
 
-use super::check;
 use crate::error::Error;
 use crate::format::{NetworkFormat, network_format};
 use crate::output::Output;
@@ -37,14 +37,14 @@ pub fn write_network(
 ) -> Result<(), Error> {
     let format = network_format(path)?;
     let inconsistent = |what| Error::Inconsistent { name: path.display().to_string(), what };
-    check::network(network).map_err(inconsistent)?;
+    check::check(network).map_err(inconsistent)?;
     Output::whole(path, inputs, |out| write_network_to(out, format, network, context))
 }
 
 /// Writes a network to a stream.
 ///
 /// # Errors
-/// What the stream says.
+/// Those of the stream.
 pub fn write_network_to(
     out: &mut dyn Write,
     format: NetworkFormat,

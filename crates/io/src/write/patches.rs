@@ -1,10 +1,9 @@
 //! Patches: labelled points, loops with surfaces (JSON), or loops by layers (DXF).
 
-use super::check;
 use super::encode::dxf;
 use super::network::dxf::extent;
-use super::network::{NetworkContext, json};
-use super::points::{PointTable, write_points_to};
+use super::network::{self, NetworkContext, json};
+use super::points::{self, PointTable, write_points_to};
 use crate::error::Error;
 use crate::format::{PatchFormat, patch_format};
 use crate::output::Output;
@@ -14,7 +13,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Writes patches to a file, whole or not at all, in the format of the extension. `table` holds the points with an attribute
-/// that says which patch each belongs to, and `context` the patches. `path` must be none of `inputs`.
+/// that numbers the patch of each, and `context` the patches. `path` must be none of `inputs`.
 ///
 /// # Errors
 /// Those of [`patch_format`] and [`Output::create`], a failed write, and [`Error::Inconsistent`] for a network with dangling
@@ -28,8 +27,8 @@ pub fn write_patches(
 ) -> Result<(), Error> {
     let format = patch_format(path)?;
     let inconsistent = |what| Error::Inconsistent { name: path.display().to_string(), what };
-    check::network(network).map_err(inconsistent)?;
-    check::points(table).map_err(inconsistent)?;
+    network::check::check(network).map_err(inconsistent)?;
+    points::check::check(table).map_err(inconsistent)?;
     let none = Patches::default();
     let patches = context.patches.as_ref().unwrap_or(&none);
     Output::whole(path, inputs, |out| match format {

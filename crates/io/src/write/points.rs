@@ -1,5 +1,6 @@
 //! Classified points: one file for each format.
 
+pub(super) mod check;
 mod las;
 mod npy;
 mod npz;
@@ -12,7 +13,6 @@ mod text;
 
 pub use table::PointTable;
 
-use super::check;
 use crate::error::Error;
 use crate::format::{PointFormat, point_format};
 use crate::output::Output;
@@ -28,14 +28,14 @@ use std::path::{Path, PathBuf};
 pub fn write_points(path: &Path, inputs: &[PathBuf], table: &PointTable) -> Result<(), Error> {
     let format = point_format(path)?;
     let inconsistent = |what| Error::Inconsistent { name: path.display().to_string(), what };
-    check::points(table).map_err(inconsistent)?;
+    check::check(table).map_err(inconsistent)?;
     Output::whole(path, inputs, |out| write_points_to(out, format, table))
 }
 
 /// Writes points with class and score to a stream.
 ///
 /// # Errors
-/// What the stream says.
+/// Those of the stream.
 pub fn write_points_to(out: &mut dyn Write, format: PointFormat, table: &PointTable) -> io::Result<()> {
     match format {
         PointFormat::Npy => npy::write_classes(out, table.classes),

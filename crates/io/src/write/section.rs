@@ -35,7 +35,7 @@ pub fn write_sections(
 /// Writes sections to a stream.
 ///
 /// # Errors
-/// What the stream says.
+/// Those of the stream.
 pub fn write_sections_to(
     out: &mut dyn Write,
     format: SectionFormat,

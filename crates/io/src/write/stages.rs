@@ -1,4 +1,4 @@
-//! What the method `segments` went through: a file for each graph of Demarsin et al. 2007, figures 1 to 3, and their counts and
+//! The stages of the method `segments`: a file for each graph of Demarsin et al. 2007, figures 1 to 3, and their counts and
 //! times as in its tables 1 and 2.
 
 use super::encode::json::{Number, Text, lines};

@@ -3,7 +3,7 @@
 use crate::common::{from_bytes, seeds};
 use lineament_io::ReadOptions;
 
-/// With `LINEAMENT_SEEDS` naming a folder they are also written there, for `examples/mutate`.
+/// With `LINEAMENT_SEEDS` naming a folder they are also written there, for `mutate` in `tools/`.
 #[test]
 fn every_seed_reads_whole() {
     let folder = std::env::var_os("LINEAMENT_SEEDS").map(std::path::PathBuf::from);

@@ -2,7 +2,9 @@
 
 use clap::Args;
 
-use super::{Running, Source, Tuning};
+use super::running::Running;
+use super::source::Source;
+use super::tuning::Tuning;
 use crate::args::parse;
 
 /// Arguments shared by the commands that extract.

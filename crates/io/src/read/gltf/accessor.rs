@@ -12,7 +12,7 @@ pub(super) fn views(accessor: &Accessor) -> impl Iterator<Item = usize> {
     accessor.buffer_view.into_iter().chain(sparse)
 }
 
-/// Appends positions, transformed; the error says what is wrong with the accessor.
+/// Appends positions, transformed; the error is the fault of the accessor.
 pub(super) fn append(
     accessor: &Accessor,
     buffers: &Buffers,
@@ -52,7 +52,7 @@ pub(super) fn append(
 /// The greatest stride that the format allows.
 const MOST: u64 = 252;
 
-/// The type of the numbers, and what one stands for.
+/// The type of the numbers, and the value of one.
 fn component(accessor: &Accessor) -> Result<(Scalar, f64), String> {
     let (kind, largest) = match accessor.component_type {
         5126 => (Scalar::F32, 1.0),

@@ -42,7 +42,7 @@ impl<'a> Buffers<'a> {
         limit::bound(self.source, options).saturating_add(more).saturating_sub(held as u64)
     }
 
-    /// Reads the buffers of some views; what does not exist is left for [`Buffers::bytes`] to say.
+    /// Reads the buffers of some views; [`Buffers::bytes`] reports those that do not exist.
     pub fn load(&mut self, views: impl Iterator<Item = usize>) -> Result<(), Error> {
         for view in views.filter_map(|view| self.document.buffer_views.get(view)) {
             let uri = self.document.buffers.get(view.buffer).and_then(|buffer| buffer.uri.as_deref());

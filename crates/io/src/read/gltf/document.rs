@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 /// Bytes in memory, at worst, for an object and for an element of an array: while an array grows there are two of it.
 const OBJECT: u64 = 512;
 const ELEMENT: u64 = 32;
-/// Extensions that do not change where vertices are, by what their names begin with.
+/// Extensions that do not move vertices, by the beginnings of their names.
 const HARMLESS: [&str; 7] = [
     "KHR_materials_",
     "KHR_texture_",
@@ -132,7 +132,7 @@ pub(super) fn check(source: &Source, options: &ReadOptions, text: &[u8]) -> Resu
             _ => {}
         }
     }
-    // The text itself, its strings once more, and what they decode to.
+    // The text itself, its strings once more, and the decoded strings.
     let needed = OBJECT * objects + ELEMENT * elements + 3 * text.len() as u64;
     if needed <= limit::bound(source, options) {
         return Ok(());

@@ -1,4 +1,4 @@
-//! What nodes do to the points below them.
+//! Transformations of nodes.
 
 use super::document::Node;
 
@@ -7,7 +7,7 @@ pub(super) type Transform = [[f64; 3]; 4];
 
 pub(super) const IDENTITY: Transform = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0; 3]];
 
-/// What a node does to points, after those above it.
+/// The transformation of points by a node and those above it.
 pub(super) fn of(node: &Node, above: &Transform) -> Transform {
     let own: Transform = match &node.matrix {
         Some(m) => [0, 4, 8, 12].map(|column| [m[column], m[column + 1], m[column + 2]]),

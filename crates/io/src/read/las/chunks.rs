@@ -1,5 +1,5 @@
-//! Where the chunks of a LAZ file are: its chunk table, checked against the bytes and the points that are there before
-//! the decoder sees it.
+//! The places of the chunks of a LAZ file: its chunk table, checked against the bytes of the file and the number of
+//! points before the decoder sees it.
 
 use super::header::{Fields, Header};
 use super::laz::Packing;

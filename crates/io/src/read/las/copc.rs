@@ -29,7 +29,7 @@ struct Entry {
     points: i32,
 }
 
-/// What is looked for, and where it may lie.
+/// The box looked for, and the place of the octree.
 struct Search<'a> {
     source: &'a Source,
     header: &'a Header,

@@ -16,9 +16,9 @@ const LEAST: u32 = 510;
 /// The code of a time that is given whole; a change of sequence by one comes next.
 const WHOLE: u32 = LEAST + 1;
 
-/// What is known of the times so far.
+/// The state left by the times so far.
 pub(super) struct Times {
-    /// Whether a time that stays is a code, as in the second version. In the third the point says so.
+    /// Whether a time that stays is a code, as in the second version. In the third it is a bit of the point.
     stays: bool,
     /// The sequence of the last time, and the one that was begun last.
     last: usize,
@@ -27,7 +27,7 @@ pub(super) struct Times {
     times: [i64; SEQUENCES],
     steps: [i32; SEQUENCES],
     far: [u32; SEQUENCES],
-    /// Models of the codes of a sequence without a step and with one, and of what differs.
+    /// Models of the codes of a sequence without a step and with one, and of the differences.
     without: ArithmeticModel,
     with: ArithmeticModel,
     integers: IntegerDecompressor,

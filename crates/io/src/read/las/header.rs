@@ -4,7 +4,7 @@ use crate::columns::{Endian, Number};
 use crate::error::{Error, Place};
 use crate::source::Source;
 
-/// What the header says of the points.
+/// The fields of the header that concern points.
 #[derive(Debug)]
 pub(super) struct Header {
     pub minor: u8,
@@ -24,8 +24,7 @@ pub(super) struct Header {
     pub bounds: ([f64; 3], [f64; 3]),
 }
 
-/// How the coordinates of a LAS input are stored, and where on earth they lie: what an output needs to be like its
-/// input.
+/// Storage of the coordinates of a LAS input, and its reference system: all that an output needs to match its input.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LasFrame {
     /// Factor of the stored integers, a axis.
@@ -104,7 +103,7 @@ fn fields(bytes: &[u8]) -> Header {
     }
 }
 
-/// A fault of a header: its byte, what stands there, and what to do.
+/// A fault of a header: its byte, the finding and the remedy.
 struct Fault(u64, String, String);
 
 /// Checks the version and the places of things; `file` is the size of the input where it is known.

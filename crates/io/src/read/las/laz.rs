@@ -1,5 +1,5 @@
-//! LAZ: chunks of compressed records. Sizes and counts are checked against the bytes that are there before the
-//! decoder sees them, since it takes memory for what it is told; its panics become errors.
+//! LAZ: chunks of compressed records. Sizes and counts are checked against the bytes of the file before the
+//! decoder sees them, since it takes memory for any number it is given; its panics become errors.
 
 use super::chunks::{Chunk, at, chunks};
 use super::copc;
@@ -34,7 +34,7 @@ pub(super) struct Packing {
     selection: DecompressionSelection,
 }
 
-/// Points that were there whole, and those that were passed over since they lie outside the bounds.
+/// Numbers of whole points, and of those skipped because they lie outside the bounds.
 pub(super) struct Taken {
     pub rows: u64,
     pub passed: u64,
@@ -144,7 +144,7 @@ fn broken(source: &Source, chunk: &Chunk, what: &str) -> Error {
     source.fault(Place::Byte(chunk.start), found, "the file is damaged; get it anew, or try --salvage")
 }
 
-/// Checks the record that says how points are packed.
+/// Checks the record of the packing.
 fn packing(source: &Source, header: &Header, frame: &LasFrame) -> Result<(LazVlr, Packing), Error> {
     let fail = |found: String| {
         Err(source.malformed(found, "the LAZ record does not fit the points; the file is damaged"))

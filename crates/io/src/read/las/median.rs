@@ -1,5 +1,5 @@
 //! The median that LAZ guesses a step with: of the last steps, of which a new one takes the place of the greatest or
-//! the least in turn, so that it follows what comes.
+//! the least in turn, so that it follows the numbers.
 
 /// Five steps in order.
 #[derive(Clone, Copy)]

@@ -1,5 +1,5 @@
 //! The base of LAZ records of point formats 6 to 10 (Isenburg, "LASzip compression of LAS 1.4", third and fourth
-//! version): each part of the points of a chunk is a layer of its own bytes. What is known of the points before is kept
+//! version): each part of the points of a chunk is a layer of its own bytes. The state left by the points before is kept
 //! for each of the four channels of the scanner.
 
 mod channel;

@@ -166,7 +166,7 @@ const TYPES: [Scalar; 10] = [
     Scalar::F64,
 ];
 
-/// Takes bytes apart, and scales what is stored scaled.
+/// Takes packed bits apart, and applies the scales of extra bytes.
 pub(super) fn finish(table: &mut Table, dimensions: &[Dimension]) {
     for (index, attribute) in &mut table.columns {
         let Dimension { bits, scaled, .. } = &dimensions[*index];

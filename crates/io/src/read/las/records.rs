@@ -1,4 +1,4 @@
-//! Variable length records of LAS: what they hold, and the coordinate reference system among them.
+//! Variable length records of LAS, the coordinate reference system among them.
 
 use super::header::{Fields, Header, LasFrame, Record};
 use crate::error::Error;
@@ -90,7 +90,7 @@ pub(super) fn text(bytes: &[u8]) -> String {
 }
 
 impl Record {
-    /// Whether it says where on earth the coordinates lie.
+    /// Whether it belongs to the reference system.
     pub fn is_projection(&self) -> bool {
         self.user == "LASF_Projection"
     }

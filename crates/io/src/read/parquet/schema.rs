@@ -1,4 +1,4 @@
-//! Which columns of a Parquet file are read, and as what.
+//! The choice of columns of a Parquet file, and their types.
 
 use crate::columns::Scalar;
 use crate::error::{Error, Place};
@@ -35,7 +35,7 @@ impl Wanted {
     }
 }
 
-/// The columns to read; what is left out is noted.
+/// The columns to read; the others are noted.
 pub(super) fn wanted(
     source: &Source,
     schema: &SchemaDescriptor,

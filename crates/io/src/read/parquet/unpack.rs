@@ -7,7 +7,7 @@ use ::parquet::basic::Compression;
 use flate2::read::MultiGzDecoder;
 use std::io::{self, BufReader, Read};
 
-/// First bytes of frames of LZ4, current and legacy. What the format calls LZ4 has none, but old writers made some.
+/// First bytes of frames of LZ4, current and legacy. LZ4 in this format has none by its rules, but old writers made some.
 const FRAMES: [&[u8]; 2] = [b"\x04\x22\x4d\x18", b"\x02\x21\x4c\x18"];
 /// Bytes that are unpacked at a time.
 const STEP: usize = 1 << 12;

@@ -81,7 +81,7 @@ impl Header {
         named.map(|(index, field)| (index, field.name.as_str(), field.place.kind))
     }
 
-    /// What the header says that the cloud does not.
+    /// Parts of the header that are not in the cloud.
     pub fn notes(&self) -> Vec<String> {
         let mut notes = Vec::new();
         if let Some(viewpoint) = &self.viewpoint {

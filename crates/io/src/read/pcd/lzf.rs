@@ -19,7 +19,7 @@ pub(super) struct Lzf<'a> {
     pending: Pending,
 }
 
-/// What the last control byte asked for and is not done yet.
+/// The rest of the work that the last control byte asked for.
 enum Pending {
     Literals(usize),
     Copy { distance: usize, length: usize },
@@ -61,7 +61,7 @@ impl<'a> Lzf<'a> {
         Ok(true)
     }
 
-    /// Reads a control byte and what belongs to it; `false` at the end.
+    /// Reads a control byte and its operands; `false` at the end.
     fn control(&mut self) -> Result<bool, Error> {
         let Some(control) = self.byte()? else { return Ok(false) };
         if control < 32 {

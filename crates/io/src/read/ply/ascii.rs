@@ -57,7 +57,7 @@ fn is_blank_line(line: &[u8]) -> bool {
     token(line).is_none()
 }
 
-/// What is wrong with a row.
+/// The fault of a row.
 enum Fault {
     /// It ends before this property.
     Short(usize),

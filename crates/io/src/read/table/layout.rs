@@ -10,7 +10,7 @@ use std::path::Path;
 const SAMPLE_BYTES: usize = 1 << 16;
 const SAMPLE_ROWS: usize = 200;
 
-/// What a column is.
+/// The role of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
     /// x, y or z, as 0, 1 or 2.
@@ -35,7 +35,7 @@ pub(super) struct Layout {
     pub announced: Option<u64>,
     /// Bytes of a row, roughly: the mean of the sample.
     pub row_bytes: u64,
-    /// What is left out, one sentence each.
+    /// Parts that are left out, one sentence each.
     pub ignored: Vec<String>,
 }
 
@@ -99,7 +99,7 @@ pub(super) fn find(source: &mut Source) -> Result<Layout, Error> {
     Ok(layout)
 }
 
-/// Gathers the sample from what the source shows without being moved.
+/// Gathers the sample from the bytes ahead, without moving the source.
 fn sample(source: &mut Source) -> Result<Sample, Error> {
     let start = source.peek(SAMPLE_BYTES)?;
     let cut = start.len() >= SAMPLE_BYTES;
@@ -164,7 +164,7 @@ fn is_row(line: &[u8]) -> bool {
     digits && (numbers >= 3 || !words)
 }
 
-/// What is found and what can be done.
+/// The finding and the remedy.
 type Refusal = (String, String);
 
 /// The separator and whether the decimal sign is a comma.

@@ -2,7 +2,7 @@
 
 use crate::number::{is_blank, token};
 
-/// What stands between fields.
+/// The separator of fields.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Separator {
     /// Any run of spaces and tabs.
@@ -47,7 +47,7 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// Where the first field ends: at the separator, which inside quotes is none.
+/// The end of the first field: the first separator outside quotes.
 #[inline]
 fn end_of_field(line: &[u8], separator: u8) -> usize {
     let start = line.iter().position(|&b| !is_blank(b)).unwrap_or(0);

@@ -58,7 +58,7 @@ pub(in crate::write) fn lines<T>(
     if items.is_empty() { Ok(()) } else { writeln!(out) }
 }
 
-/// A number; `null` if it is none.
+/// A number; `null` for one that is not finite.
 pub(in crate::write) struct Number(pub(in crate::write) f64);
 
 impl fmt::Display for Number {

@@ -1,4 +1,4 @@
-//! Strips as polylines over shared vertices: what OBJ, PLY and their like are made of.
+//! Strips as polylines over shared vertices, for OBJ, PLY and their like.
 
 use lineament::{Network, Strip};
 

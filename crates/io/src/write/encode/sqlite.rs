@@ -8,10 +8,8 @@ mod tree;
 pub(in crate::write) use record::Value;
 
 use std::io;
-use tree::Pages;
+use tree::{PAGE, Pages};
 
-/// Bytes of a page.
-pub(super) const PAGE: usize = 4096;
 /// Bytes of the header of the file, which stands at the beginning of the first page.
 const HEADER: usize = 100;
 

@@ -10,7 +10,7 @@ const DATE: u16 = 0x21;
 /// Writes the bytes of an entry, the same whenever it is called.
 pub(in crate::write) type Content<'a> = &'a dyn Fn(&mut dyn Write) -> io::Result<()>;
 
-/// What is known of an entry before it is written.
+/// Checksum and size of an entry, counted before it is written.
 #[derive(Default)]
 struct Counted {
     sum: crc32fast::Hasher,

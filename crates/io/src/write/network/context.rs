@@ -2,7 +2,7 @@
 
 use lineament::Patches;
 
-/// What a file says of a network beside the network itself.
+/// Provenance, settings and patches that a file states beside the network itself.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NetworkContext {
     /// Version of the program that made the network.

@@ -1,4 +1,4 @@
-//! A network as CSV: a row a point of a strip.
+//! A network as CSV: a row for each point of each strip.
 
 use lineament::Network;
 use std::io::{self, Write};

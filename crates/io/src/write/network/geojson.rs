@@ -1,7 +1,7 @@
 //! A network as GeoJSON with 3D coordinates in the frame of the input. RFC 7946 knows longitude and latitude only; the
 //! name of another reference system stands in the member `crs` of the 2008 specification, which GDAL and QGIS read.
 
-use super::NetworkContext;
+use super::context::NetworkContext;
 use crate::write::encode::json::{Index, Number, Point, Text};
 use lineament::Network;
 use std::io::{self, Write};

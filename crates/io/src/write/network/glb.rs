@@ -1,4 +1,4 @@
-//! A network as binary glTF 2.0: lines, a mesh a kind. Positions are single floats by the format's rules, so they are
+//! A network as binary glTF 2.0: lines, a mesh for each kind. Positions are single floats by the format's rules, so they are
 //! stored relative to the middle of the network, which stands in the scene as a translation. The format's y points up:
 //! a rotation turns the z of scans there.
 

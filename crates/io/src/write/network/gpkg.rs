@@ -1,7 +1,7 @@
 //! A network as GeoPackage (OGC 12-128r18, version 1.3): the layers `lines` and `nodes` with 3D geometries in the frame of
 //! the input, their attributes, and the reference system of the input.
 
-use super::NetworkContext;
+use super::context::NetworkContext;
 use crate::write::encode::sqlite::{Table, Value, database};
 use lineament::{Network, Node, Strip};
 use std::io::{self, Write};

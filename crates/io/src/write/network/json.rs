@@ -1,6 +1,7 @@
 //! A network in the schema `lineament-network/1`, which `docs/schema-network-1.md` describes.
 
-use super::{NetworkContext, Parameter, patch};
+use super::context::{NetworkContext, Parameter};
+use super::patch;
 use crate::write::encode::json::{Head, Index, Number, Point, Text, Value, lines, list};
 use lineament::curve::BSpline;
 use lineament::patch::Sides;
@@ -10,7 +11,7 @@ use std::io::{self, Write};
 /// The name of the schema, as it stands in every file.
 const SCHEMA: &str = "lineament-network/1";
 
-/// Writes the network: a line a node and a line a strip. Numbers are the shortest decimals that give the same f64
+/// Writes the network: a line for each node and each strip. Numbers are the shortest decimals that give the same f64
 /// back.
 pub(in crate::write) fn write(
     out: &mut dyn Write,

@@ -1,6 +1,6 @@
-//! A network as Wavefront OBJ lines: a vertex a node, and one `l` statement a strip.
+//! A network as Wavefront OBJ lines: a vertex for each node, and an `l` statement for each strip.
 
-use super::NetworkContext;
+use super::context::NetworkContext;
 use crate::write::encode::polyline::Polylines;
 use lineament::Network;
 use std::io::{self, Write};

@@ -1,6 +1,6 @@
 //! A network as PLY with elements `vertex` and `edge`.
 
-use super::NetworkContext;
+use super::context::NetworkContext;
 use crate::write::encode::ply;
 use crate::write::encode::polyline::Polylines;
 use lineament::{Network, StripKind};

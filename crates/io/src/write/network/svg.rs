@@ -1,6 +1,6 @@
 //! A network as an SVG drawing in millimetres: an orthographic view from a given direction, or from the best one.
 
-use super::NetworkContext;
+use super::context::NetworkContext;
 use crate::write::encode::polyline::Polylines;
 use lineament::math::vec3::{cross, dot, sub, unit};
 use lineament::{Network, StripKind};
@@ -12,7 +12,7 @@ const MARGIN: f64 = 5.0;
 /// A network whose thinnest extent is below this share of its next is drawn from that side.
 const FLAT: f64 = 0.1;
 
-/// Writes a path a strip, in a group a kind, and a dot a node.
+/// Writes a path for each strip, in groups by kind, and a dot for each node.
 pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkContext) -> io::Result<()> {
     let Polylines { vertices, paths } = Polylines::of(network);
     let [right, up] = frame(context.view.unwrap_or_else(|| best_view(&vertices)));

@@ -1,4 +1,4 @@
-//! A network as VTK polygonal data (`.vtp`), ascii, with double coordinates: a polyline a strip, a vertex a node.
+//! A network as VTK polygonal data (`.vtp`), ascii, with double coordinates: a polyline for each strip, a vertex for each node.
 
 use crate::write::encode::polyline::Polylines;
 use lineament::{Network, NodeKind, StripKind};

@@ -1,8 +1,8 @@
 //! Classified points as LAS 1.4 or LAZ: class and score as extra bytes, the attributes of the input where the point
 //! format has a place for them, and otherwise as extra bytes too.
 
-use super::PointTable;
 use super::rows::{names, put};
+use super::table::PointTable;
 use crate::columns::{Number, Scalar, get};
 use crate::quiet;
 use crate::read::las::points::{Dimension, standard};
@@ -63,7 +63,7 @@ pub(super) fn write(out: &mut dyn Write, table: &PointTable, packed: bool) -> io
         out.write_all(&head)?;
         return rows(table, &plan, |row| out.write_all(row));
     };
-    // The packer goes back to say where its chunk table is, so that what is packed stays in memory until it has.
+    // The packer goes back to fill in the place of its chunk table, so the packed bytes stay in memory until then.
     let mut file = Cursor::new(head);
     file.seek(SeekFrom::End(0))?;
     // It subtracts GPS times of both signs, which overflows where overflow is checked.

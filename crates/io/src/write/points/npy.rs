@@ -8,7 +8,7 @@ pub(super) fn write_classes(out: &mut dyn Write, classes: &[u8]) -> io::Result<(
     out.write_all(classes)
 }
 
-/// What comes before the numbers of an array of this type and shape.
+/// The head of an array of this type and shape; its numbers follow.
 pub(super) fn header(descr: &str, shape: &str) -> Vec<u8> {
     let mut text = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': ({shape}), }}");
     // Magic, version and length take 10 bytes; the data begin at a multiple of 64, after a line feed.

@@ -1,8 +1,8 @@
 //! Classified points as NPZ: `xyz` of (N, 3) f8, `class`, `score`, and an array for every attribute of the input.
 
-use super::PointTable;
 use super::npy;
 use super::rows::names;
+use super::table::PointTable;
 use crate::columns::{Number, Scalar, each_column};
 use crate::write::encode::zip::ZipWriter;
 use std::io::{self, Write};

@@ -1,7 +1,7 @@
 //! Classified points as Parquet: x, y and z as double, class, score, and every attribute of the input in its type.
 
-use super::PointTable;
 use super::rows::names;
+use super::table::PointTable;
 use crate::columns::Scalar;
 use ::parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
 use ::parquet::data_type::{DataType, DoubleType, FloatType, Int32Type, Int64Type};
@@ -37,7 +37,7 @@ pub(super) fn write(out: &mut dyn Write, table: &PointTable) -> io::Result<()> {
     out.write_all(&gathered.take())
 }
 
-/// What the encoder has written and nobody has taken yet: it wants an output that threads may share.
+/// Bytes of the encoder that are not yet taken: it needs an output that threads may share.
 #[derive(Clone, Default)]
 struct Gathered(Arc<Mutex<Vec<u8>>>);
 

@@ -1,7 +1,7 @@
 //! Classified points as binary PCD 0.7, with double coordinates.
 
-use super::PointTable;
 use super::rows::{bytes, names};
+use super::table::PointTable;
 use crate::columns::Scalar;
 use std::io::{self, Write};
 

@@ -1,7 +1,7 @@
 //! Classified points as PLY, with the attributes of the input.
 
-use super::PointTable;
 use super::rows::{bytes, names};
+use super::table::PointTable;
 use crate::columns::Scalar;
 use crate::write::encode::ply;
 use std::io::{self, Write};

@@ -1,6 +1,6 @@
-//! The columns of classified points, one value at a time: what XYZ, CSV and PCD share.
+//! The columns of classified points, one value at a time, for the formats that hold rows.
 
-use super::PointTable;
+use super::table::PointTable;
 use crate::columns::{Number, Scalar, each_column, get};
 use lineament::Column;
 

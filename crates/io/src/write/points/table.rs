@@ -3,7 +3,7 @@
 use crate::read::LasFrame;
 use lineament::Cloud;
 
-/// Points with what was found of them.
+/// Points with their classes and scores.
 #[derive(Clone, Copy, Debug)]
 pub struct PointTable<'a> {
     /// The points as they were read.

@@ -1,10 +1,10 @@
 //! Classified points as text: XYZ with blanks, CSV with commas; the first line names the columns.
 
-use super::PointTable;
 use super::rows::{names, text};
+use super::table::PointTable;
 use std::io::{self, Write};
 
-/// Writes a line a point. Numbers are the shortest decimals that give the same value back. Names in XYZ stand behind
+/// Writes a line for each point. Numbers are the shortest decimals that give the same value back. Names in XYZ stand behind
 /// `//`, as CloudCompare writes them.
 pub(super) fn write(out: &mut dyn Write, table: &PointTable, separator: char) -> io::Result<()> {
     let mut header = String::from(if separator == ' ' { "//x" } else { "x" });

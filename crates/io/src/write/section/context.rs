@@ -2,7 +2,7 @@
 
 use lineament::section::Stack;
 
-/// What a file says of sections beside the curves.
+/// Provenance and features that a file states beside the curves.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SectionContext {
     /// Version of the program.
@@ -13,6 +13,6 @@ pub struct SectionContext {
     pub input_sha256: Option<String>,
     /// Rows of the input.
     pub input_points: u64,
-    /// What the stack of slices says; empty if it was not asked.
+    /// The features of the stack of slices; empty if they were not asked for.
     pub stack: Stack,
 }

@@ -1,7 +1,7 @@
 //! Sections in the schema `lineament-section/1`, which `docs/schema-section-1.md` describes. Its `strips` have the
 //! form of a network's: points, closed; with the index of their plane.
 
-use super::SectionContext;
+use super::context::SectionContext;
 use crate::write::encode::json::{Head, Number, Point, Text, lines, list};
 use lineament::curve::BSpline;
 use lineament::section::{Contour, CurvePiece, CurveShape, Feature, Mirror, Repeat, Run, Section, Sections};
@@ -11,7 +11,7 @@ use std::io::{self, Write};
 /// The name of the schema, as it stands in every file.
 const SCHEMA: &str = "lineament-section/1";
 
-/// Writes sections: a line a plane, a line a contour, a line a feature.
+/// Writes sections: a line for each plane, contour and feature.
 pub(super) fn write(out: &mut dyn Write, sections: &Sections, context: &SectionContext) -> io::Result<()> {
     Head {
         schema: SCHEMA,

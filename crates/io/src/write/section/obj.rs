@@ -1,4 +1,4 @@
-//! Sections as Wavefront lines, a group a slice.
+//! Sections as Wavefront lines, a group for each slice.
 
 use super::ring::ring;
 use lineament::section::Sections;

@@ -129,7 +129,7 @@ fn path(out: &mut dyn Write, contour: &Contour, place: impl Fn([f64; 3]) -> [f64
     write!(out, "{}", if contour.closed { "Z" } else { "" })
 }
 
-/// One fitted piece, from where the pen stands. The picture has its second axis down: what runs counter-clockwise runs
+/// One fitted piece, from where the pen stands. The picture has its second axis down: a counter-clockwise curve runs
 /// against the positive sweep of SVG.
 fn curve(
     out: &mut dyn Write,

@@ -46,7 +46,7 @@ impl Models {
     }
 }
 
-/// What is known of a channel.
+/// The state of a channel.
 pub(super) struct Channel {
     pub last: Point,
     /// Whether the last point had another time than the one before.

@@ -11,7 +11,7 @@ pub(in crate::write) enum Value {
 }
 
 impl Value {
-    /// The number of its type, which says how many bytes it takes.
+    /// The number of its type, which implies its length in bytes.
     fn kind(&self) -> u64 {
         match self {
             Value::Null => 0,

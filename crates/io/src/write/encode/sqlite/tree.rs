@@ -1,9 +1,10 @@
 //! The b-trees of SQLite: leaves filled one after the other, then the levels above them.
 
-use super::PAGE;
 use super::record::varint;
 use std::io;
 
+/// Bytes of a page.
+pub(super) const PAGE: usize = 4096;
 /// Kinds of pages.
 const TABLE_LEAF: u8 = 13;
 const TABLE_INNER: u8 = 5;
@@ -114,7 +115,7 @@ impl Pages {
         Ok(above)
     }
 
-    /// A row as a cell of a leaf. What is too long for it goes to pages of its own.
+    /// A row as a cell of a leaf. The rest of a long row goes to pages of its own.
     fn cell(&mut self, id: i64, row: &[u8]) -> io::Result<Vec<u8>> {
         let mut cell = Vec::new();
         varint(row.len() as u64, &mut cell);

@@ -1,14 +1,16 @@
-//! What the stack of slices names beside what each part has: `cargo run --release --example naming_table -- [PART] [-v] [-q] [-u|-n] [-a]`.
+//! Names in the stack of slices, compared with the features of each part: `cargo run --release -p lineament-tools --bin
+//! naming_table -- [PART] [-v] [-q] [-u|-n] [-a]`.
 //!
-//! Each part of `tests/suite/naming/parts.rs` is scanned with several seeds and noise levels, turned or not, and cut in several
-//! numbers of slices. A row tells of one part, view and noise: features named, the share of ends within 0.1 spacing,
-//! the worst, the share within twice of what the run states, the share of sizes (radii, apexes) within 0.1 spacing, the
-//! worst, and what is missing or named for nothing over all its clouds. `-v` tells of each, `-q` takes one seed, `-u`
-//! the parts that no method was tried on at first, `-n` those that came last, `-a` what the three rules for an automatic axis find on turned parts.
+//! Each part of `crates/core/tests/suite/naming/parts.rs` is scanned with several seeds and noise levels, turned or not, and
+//! cut in several numbers of slices. A row is a part, a view and a noise level: features named, share of ends within 0.1
+//! spacing, the worst end, share of ends within twice their stated error, share of sizes (radii, apexes) within 0.1 spacing,
+//! the worst size, missing features and false ones, over all clouds. `-v` lists them, `-q` takes one seed, `-u` takes the
+//! parts kept out while the methods were made, `-n` the parts that came last, `-a` compares the three rules for an automatic
+//! axis on turned parts.
 
-#[path = "../tests/suite/naming/judge.rs"]
+#[path = "../../../crates/core/tests/suite/naming/judge.rs"]
 mod judge;
-#[path = "../tests/suite/naming/parts.rs"]
+#[path = "../../../crates/core/tests/suite/naming/parts.rs"]
 mod parts;
 
 use judge::{Off, Verdict, judge};
@@ -55,24 +57,23 @@ fn case(sampled: &Sampled, view: &View, tilted: bool, count: usize) -> (Verdict,
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let verbose = arguments.iter().any(|a| a == "-v");
-    let quick = arguments.iter().any(|a| a == "-q");
+    let has = |flag: &str| arguments.iter().any(|a| a == flag);
     let wanted = arguments.iter().find(|a| !a.starts_with('-'));
-    let unseen = arguments.iter().any(|a| a == "-u");
-    let newest = arguments.iter().any(|a| a == "-n");
-    let parts: Vec<Part> = if newest {
-        parts::newest()
-    } else if unseen {
-        parts::held_out()
-    } else {
-        parts::parts()
-    }
-    .into_iter()
-    .filter(|p| wanted.is_none_or(|w| p.shape.name.contains(w.as_str())))
-    .collect();
-    if arguments.iter().any(|a| a == "-a") {
+    let parts = match (has("-n"), has("-u")) {
+        (true, _) => parts::newest(),
+        (_, true) => parts::held_out(),
+        _ => parts::parts(),
+    };
+    let of_name = |p: &Part| wanted.is_none_or(|w| p.shape.name.contains(w.as_str()));
+    let parts: Vec<Part> = parts.into_iter().filter(of_name).collect();
+    if has("-a") {
         return parts.iter().for_each(automatic);
     }
+    table(&parts, if has("-q") { &SEEDS[..1] } else { &SEEDS }, has("-v"));
+}
+
+/// Prints the table of these parts, scanned with these seeds.
+fn table(parts: &[Part], seeds: &[u64], verbose: bool) {
     println!(
         "{:20} {:4} {:5} {:>5} {:>9} {:>7} {:>7} {:>9} {:>7} {:>7} {:>5} {:>7}",
         "part",
@@ -89,14 +90,11 @@ fn main() {
         "repeats"
     );
     let mut total = Sum::default();
-    for part in &parts {
+    for part in parts {
         for noise in NOISES {
-            let scan = |&seed: &u64| {
-                part.shape
-                    .sample(&Scan::new(Sampling::BlueNoise { count: part.count }).noise(noise).seed(seed))
-            };
-            let seeds = if quick { &SEEDS[..1] } else { &SEEDS };
-            let scans: Vec<Sampled> = seeds.par_iter().map(scan).collect();
+            let scan = Scan::new(Sampling::BlueNoise { count: part.count }).noise(noise);
+            let scans: Vec<Sampled> =
+                seeds.par_iter().map(|&seed| part.shape.sample(&scan.seed(seed))).collect();
             for view in &part.views {
                 let sum = row(&scans, view, verbose);
                 println!("{:20} {:4} {noise:5} {sum}", part.shape.name, ["x", "y", "z"][view.axis]);
@@ -107,8 +105,8 @@ fn main() {
     println!("{:31} {total}", "all");
 }
 
-/// Slices a turned part by both rules, and says how far the axis found lies from one that the part has features along,
-/// and what is named there.
+/// Slices a turned part by each rule, and prints the angle between its axis and the nearest axis of features, with the
+/// features named there.
 fn automatic(part: &Part) {
     let scan = Scan::new(Sampling::BlueNoise { count: part.count }).noise(0.1).seed(1);
     let cloud = part.shape.sample(&scan).map(1.0, turned).cloud;

@@ -1,11 +1,12 @@
-//! How many contours of solid parts are closed, as all should be: `cargo run --release --example closed_table -- [PART] [-v]`.
+//! Share of closed contours of solid parts, all of which should be closed: `cargo run --release -p lineament-tools --bin
+//! closed_table -- [PART] [-v]`.
 //!
-//! Each part of `tests/suite/naming/parts.rs` but the tube is scanned with points strewn at random, which leave bare patches, at two
-//! seeds and three noise levels, and cut in 37 slices along each coordinate axis. Slices with half as many points again as the
-//! median of their axis are left out: their planes run within a few spacings of a face. What is left are walls cut
-//! anyhow, and bores and bosses that a plane grazes. `-v` tells of each slice with open contours.
+//! Each part of `crates/core/tests/suite/naming/parts.rs` except the tube is scanned with points strewn at random, which leave
+//! bare patches, at two seeds and three noise levels, and cut in 37 slices along each coordinate axis. Slices with half as many
+//! points again as the median of their axis are left out: their planes run within a few spacings of a face. The rest are
+//! walls cut at any angle, and bores and bosses that a plane grazes. `-v` lists the slices with open contours.
 
-#[path = "../tests/suite/naming/parts.rs"]
+#[path = "../../../crates/core/tests/suite/naming/parts.rs"]
 #[allow(dead_code, reason = "the features of the parts are for the table of names")]
 mod parts;
 

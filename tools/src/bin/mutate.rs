@@ -1,12 +1,12 @@
-//! Damages inputs at random and reads them, for as long as it is told: `mutate SECONDS SEED FILE...`. A panic ends it, and
-//! leaves the input in `mutate-SEED.bin`; so does a read of more than ten seconds. Prints the number of executions.
-//! It needs no tool beside the stable compiler.
+//! Reads inputs that are damaged at random, for a given time: `cargo run --release -p lineament-tools --bin mutate -- SECONDS
+//! SEED FILE...`. A panic, or a read of more than ten seconds, ends it and leaves the input in `mutate-SEED.bin`. Prints the
+//! number of executions. The stable compiler is enough for it.
 
 use lineament_io::{ReadOptions, read_from};
 use std::io::Cursor;
 use std::time::{Duration, Instant};
 
-/// Numbers that files lie with.
+/// Numbers that damaged files claim.
 const LIES: [u64; 8] = [0, 1, 0x7f, 0xff, 1 << 31, 1 << 32, 1 << 63, u64::MAX];
 
 /// A small generator of numbers (Steele, Lea and Flood 2014, SplitMix64).

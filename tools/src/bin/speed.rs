@@ -1,5 +1,5 @@
-//! Seconds to read a cloud, beside the seconds to read its bytes: `speed FILE [ROUNDS [--bare]]`, bare being
-//! positions alone. Both are taken in turns, and the least of each is what counts.
+//! Seconds to read a cloud, and seconds to read its bytes: `cargo run --release -p lineament-tools --bin speed -- FILE [ROUNDS
+//! [--bare]]`, where `--bare` reads positions alone. The two take turns, and the least time of each is printed.
 
 use lineament_io::{ReadOptions, read};
 use std::path::Path;

@@ -1,4 +1,5 @@
-//! Writes a network in the format of each extension: `network [--points N] OUT...`; its loop has N points, or 64.
+//! Writes a network in the format of each extension: `cargo run -p lineament-io --example network -- [--points N] OUT...`; its
+//! loop has N points [default: 64].
 
 use lineament::curve::BSpline;
 use lineament::{Network, Node, NodeKind, Strip, StripKind};

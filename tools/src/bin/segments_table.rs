@@ -1,4 +1,5 @@
-//! Tables 1 and 2 of Demarsin et al. 2007 for shapes of the paper's kind and size, in both forms of the method.
+//! Tables 1 and 2 of Demarsin et al. 2007 for shapes of the paper's kind and size, in both forms of the method: `cargo run
+//! --release -p lineament-tools --bin segments_table`.
 
 use lineament::params::{Method, SegmentForm};
 use lineament::shapes::{Sampling, Scan, brick, cube, pipe_cross};

@@ -1,10 +1,9 @@
-//! What must hold of a result before any of it is written.
+//! Conditions on a network before any of it is written.
 
-use super::PointTable;
 use lineament::Network;
 
 /// Indices lead somewhere, coordinates are finite, ends and nodes agree.
-pub(super) fn network(network: &Network) -> Result<(), String> {
+pub(in crate::write) fn check(network: &Network) -> Result<(), String> {
     let finite = |p: &[f64; 3]| p.iter().all(|c| c.is_finite());
     if let Some(id) = network.nodes.iter().position(|node| !finite(&node.position)) {
         return Err(format!("node {id} lies at {:?}", network.nodes[id].position));
@@ -22,19 +21,4 @@ pub(super) fn network(network: &Network) -> Result<(), String> {
         }
     }
     Ok(())
-}
-
-/// All columns have one value a point.
-pub(super) fn points(table: &PointTable) -> Result<(), String> {
-    let count = table.cloud.len();
-    if table.classes.len() != count {
-        return Err(format!("{} classes for {count} points", table.classes.len()));
-    }
-    if !table.scores.is_empty() && table.scores.len() != count {
-        return Err(format!("{} scores for {count} points", table.scores.len()));
-    }
-    match table.cloud.attributes.iter().find(|a| a.values.len() != count) {
-        Some(a) => Err(format!("attribute `{}` has {} values for {count} points", a.name, a.values.len())),
-        None => Ok(()),
-    }
 }

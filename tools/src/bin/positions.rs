@@ -1,5 +1,6 @@
-//! Reads point clouds and says what they gave: `positions FILE... [--to OUT.f64]`. The coordinates of all points can
-//! be written as little endian f64, for comparison with what other programs read.
+//! Reads point clouds and prints their format, size, columns and omissions: `cargo run -p lineament-io --example positions --
+//! FILE... [--to OUT.f64]`. `--to` writes the coordinates of all points as little endian f64, for comparison with other
+//! programs.
 
 use lineament_io::{ReadOptions, read};
 use std::io::Write;
