@@ -33,6 +33,7 @@ pub mod measure;
 mod method;
 pub mod neighbors;
 pub mod network;
+pub mod papers;
 pub mod params;
 pub mod patch;
 pub mod pattern;

@@ -5,7 +5,8 @@
 /// Any detector can feed any linker. A linker for lines reads the two [`Penalties`]; a viewer reads `score` and `class`.
 #[derive(Clone, Debug, Default)]
 pub struct Measure {
-    /// `(N)` mean distance to the direct neighbours in the neighbour graph (Gumhold 2001, equation 1), spacings.
+    /// `(N)` the sampling density: average distance to the direct neighbours in the neighbour graph (Gumhold 2001,
+    /// equation 1), spacings.
     pub density: Vec<f32>,
     /// `(N)` evidence of a feature, 0 smooth to 1 certain.
     pub score: Vec<f32>,

@@ -1,4 +1,5 @@
-//! Pictures of a cloud and its feature network: orthographic, no graphics hardware, no files.
+//! Pictures of a cloud and its feature network: orthographic, no graphics hardware, no files. Surface display enhanced along
+//! feature lines is the non photorealistic rendering of Gumhold 2001, section 5.3.
 //!
 //! Every point is a surfel: a small disc in the tangent plane. The discs give a surface without holes to shade and
 //! to hide lines behind; when points stand far enough apart on the picture they are drawn as dots on it. Lines are

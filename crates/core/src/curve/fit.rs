@@ -1,4 +1,4 @@
-//! Least-squares cubic B-splines on the chord-length parameter (Gumhold 2001, section 4, the simple solution).
+//! Least-squares cubic B-splines on a chordal length parameterization (Gumhold 2001, section 4, the simple solution).
 //!
 //! To the squared distances is added a small multiple of the squared second differences of the control points, which keeps
 //! spans without data determined and the curve calm between noisy points.

@@ -1,4 +1,4 @@
-//! Otsu's threshold: the cut of a histogram that leaves its two sides furthest apart.
+//! Otsu's method: the cut of a histogram that leaves its two sides furthest apart.
 //!
 //! N. Otsu, *A Threshold Selection Method from Gray-Level Histograms*, IEEE Transactions on Systems, Man, and Cybernetics
 //! 9 (1979), 62-66: for two classes, and in [`otsu3`] for three (section V). Counts are integers, so that the order of the

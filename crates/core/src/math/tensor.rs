@@ -1,4 +1,4 @@
-//! Centre and correlation tensor of a neighbourhood (Gumhold 2001, section 3.1, equations 2 and 3).
+//! Centre and correlation matrix (a tensor) of a neighbourhood (Gumhold 2001, section 3.1, equations 2 and 3).
 
 use super::eigen3::{Eigen3, Symmetric3, eigen3};
 use super::least_axis::least_axis;

@@ -1,4 +1,5 @@
-//! What the stack of slices says of the object (Kyriazis et al., sections 1 and 2): runs of like contours.
+//! Features that adjacent slices show together (Kyriazis et al., sections 1 and 2), such as holes, extrusions, symmetrical
+//! and repeated parts: runs of like contours.
 //!
 //! Contours of neighbouring slices are matched into tracks; a track is cut into runs over which the outline stays
 //! (extrusion), changes evenly (taper), or stays round about one axis (revolution). Where a run ends is read from the

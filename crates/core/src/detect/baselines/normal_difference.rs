@@ -1,4 +1,5 @@
-//! How far the normals around a point differ from its own.
+//! Normal difference: the mean angle between the normal of a point and those around it (a measure that Tran 2013, figure 6,
+//! compares with).
 
 use super::SCALE;
 use crate::detect::projection::scales::at_every_scale;

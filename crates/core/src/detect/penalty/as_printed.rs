@@ -1,4 +1,4 @@
-//! The penalties as printed (Gumhold 2001, section 3.1, equations 1 to 9).
+//! The penalty functions as printed (Gumhold 2001, section 3.1, equations 1 to 9).
 //!
 //! Fragile by design: the curvature penalty `omega_kappa` is relative to the greatest curvature of all points, so that one
 //! outlier makes every crease improbable; and the vector penalties `omega_cr` and `omega_b1` are least for edges *across* the
@@ -20,7 +20,7 @@ struct Point {
     curvature: f64,
     /// `omega_cr`.
     crease: [f64; 3],
-    /// `omega_co`.
+    /// The corner penalty `omega_co`.
     corner: f64,
     normal: [f64; 3],
     border: Row,

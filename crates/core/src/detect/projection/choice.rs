@@ -1,6 +1,6 @@
-//! Which scale suits a point (Tran 2013, section 2.3, figure 4).
+//! Optimal neighborhood size of a point (Tran 2013, section 2.3, figure 4).
 //!
-//! The paper divides the projected distance of each scale by that of the one before, and takes the scale before the first
+//! The paper divides the projected distance of each scale by that of the one before, the rate of change, and takes the scale before the first
 //! ratio above epsilon; without such a jump any would do, and it takes 16. Three things are said more closely here.
 //! * On an exact plane both distances are rounding, 1e-19, and their ratio means nothing; on a scanned one both are noise. So
 //!   distances count as no less than a floor.

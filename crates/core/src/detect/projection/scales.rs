@@ -1,4 +1,4 @@
-//! What every point looks like at the seven scales of the paper, from one neighbour search (Tran 2013, sections 2.1, 2.2).
+//! Projected distance and normal of every point at several scales, the seven of the paper, from one neighbour search (Tran 2013, sections 2.1, 2.2).
 //!
 //! A scale `k` is the point and its `k` nearest neighbours. The lists come sorted by distance, so that a scale's sums are
 //! those of the scale before and of four more points: all seven cost what the greatest costs, and no list is stored.

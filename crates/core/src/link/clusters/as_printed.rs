@@ -1,4 +1,4 @@
-//! Demarsin's pipeline as printed, from the segmentation to `G_smooth`.
+//! Demarsin's pipeline as printed (Demarsin et al. 2007, algorithm 1): from the segmentation over `G_closed` to `G_smooth`.
 
 use super::all::all_clusters;
 use super::branches::prune_branches;

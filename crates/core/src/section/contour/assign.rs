@@ -1,4 +1,5 @@
-//! Which contour each sample belongs to, and where along it.
+//! Region assignment (Kyriazis et al., section 3, figure 5): the contour that each sample belongs to, and its place along it.
+//! A sample goes to the contour that runs its way, not simply to the nearest.
 
 use std::ops::Range;
 

@@ -1,8 +1,9 @@
-//! Feature points by largest empty circles: Kyriazis et al., section 4.
+//! Feature points by the largest empty circle of each region: Kyriazis et al., section 4.
 //!
-//! In a region whose points lie far from their chord, the Voronoi vertices on the other side of the chord are centres
-//! of circles that touch the points from outside. The farthest of them within a bound gives the next feature points:
-//! those its circle touches. So the envelope is followed and does not switch between the two sides of a thick band.
+//! In a region whose points lie far from their chord, each Voronoi vertex on the other side of the chord is the centre
+//! of a circle that touches the points from outside. The farthest of them within a bound gives the next feature points:
+//! those its circle touches. So the envelope is followed without the internal-external switching effect between the two
+//! sides of a thick band (figure 6).
 //! The bound is a multiple of the greatest distance of the region's points from the chord: a large one gives small
 //! steps and many feature points, a small one large steps and few.
 //!

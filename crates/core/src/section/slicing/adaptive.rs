@@ -1,4 +1,4 @@
-//! Adaptive slabs (Kyriazis et al., section 2): equal parts of the cloud's extent at first, then rounds of splitting and
+//! Slabs of adaptive thickness (Kyriazis et al., section 2): equal parts of the cloud's extent at first, then rounds of splitting and
 //! merging; each slab starts where the one before ends.
 //!
 //! Departure: a section is drawn from the points near the middle of its slab, as far as carrying them along the surface

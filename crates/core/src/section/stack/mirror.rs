@@ -1,4 +1,4 @@
-//! Mirror planes along the axis: through the centroid of the whole stack, at the angles for which the contours lie on
+//! Symmetrical parts (Kyriazis et al., section 1): mirror planes along the axis, through the centroid of the whole stack, at the angles for which the contours lie on
 //! their own images.
 
 use rayon::prelude::*;
