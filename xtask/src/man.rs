@@ -1,6 +1,6 @@
 //! Manual pages, one for the program and one for each command.
 
-use crate::{cargo, root};
+use crate::workspace::{cargo, root};
 
 /// Has the program write its pages to `out/man`.
 pub fn run() -> Result<(), String> {

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::{cargo, root};
+use crate::workspace::{cargo, root};
 
 /// The programs compared with.
 const PACKAGES: [&str; 14] = [

@@ -1,61 +1,14 @@
 //! The invariants of results: what every test and fuzz target ends in.
 
 mod curve;
+mod network;
 mod nodes;
 mod patches;
 mod strips;
+mod verdict;
 
-use crate::network::Network;
-
+pub use network::{network, sources};
 pub use patches::patches;
-
-/// States every invariant of a [`Network`].
-///
-/// Nodes: finite positions, no two the same, degrees that count the strip ends, kinds that follow from the degrees.
-/// Strips: node indices in range, none exactly when closed; finite points, at least 2 (3 if closed), no two in a row the
-/// same, the first of a loop not repeated, ends on their nodes bit for bit; no strip twice; deviation finite and not
-/// negative, confidence from 0 to 1; no source twice in a row. Curves: counts and order of the knots as [`BSpline`]
-/// says, finite controls, periodic exactly when the strip is closed, clamped ends on the nodes to 1e-9 of the strip's
-/// extent.
-///
-/// [`BSpline`]: crate::curve::BSpline
-///
-/// # Errors
-/// One sentence for each violation, naming the node or strip.
-pub fn network(network: &Network) -> Result<(), Vec<String>> {
-    let mut faults = nodes::faults(network);
-    for (i, strip) in network.strips.iter().enumerate() {
-        let named = strips::faults(network, strip).into_iter().chain(curve::faults(network, strip));
-        faults.extend(named.map(|fault| format!("strip {i}: {fault}")));
-    }
-    faults.extend(strips::twins(network));
-    verdict(faults)
-}
-
-/// States that every source of a network is a point of a cloud of this many.
-///
-/// # Errors
-/// One sentence for each violation.
-pub fn sources(network: &Network, points: usize) -> Result<(), Vec<String>> {
-    let beyond = |source: u32| source as usize >= points;
-    let mut faults = Vec::new();
-    for (i, node) in network.nodes.iter().enumerate().filter(|(_, n)| beyond(n.source)) {
-        faults.push(format!("node {i}: source {} of {points} points", node.source));
-    }
-    for (i, strip) in network.strips.iter().enumerate() {
-        let bad = strip.sources.iter().filter(|&&s| beyond(s));
-        faults.extend(bad.map(|s| format!("strip {i}: source {s} of {points} points")));
-    }
-    verdict(faults)
-}
-
-fn verdict(faults: Vec<String>) -> Result<(), Vec<String>> {
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
-}
-
-fn finite(p: &[f64; 3]) -> bool {
-    p.iter().all(|x| x.is_finite())
-}
 
 #[cfg(test)]
 pub(crate) mod perfect;

@@ -10,20 +10,20 @@
 //! |---|---|---|
 //! | section 2.1 | Riemannian graph | `neighbors::riemannian::graph` |
 //! | section 2.1, figures 3, 4 | Delaunay filtering, umbrella filter | not built |
-//! | equation 1 | average distance | `measure::Measure` |
+//! | equation 1 | average distance | `neighbors::density::mean_distance` |
 //! | equations 2, 3 | correlation matrix | `math::tensor::ellipsoid` |
 //! | figure 6 | correlation ellipsoid | `math::tensor::Ellipsoid` |
 //! | section 3.1, equations 4 to 9 | penalty functions | `detect::penalty::as_printed::penalties` |
 //! | equation 5 | omega_kappa | `detect::penalty::as_printed::penalties` |
 //! | equation 8, figure 7 b | open angle | `detect::evidence::open_angle::open_angle` |
 //! | equation 9 | corner penalty | `detect::penalty::as_printed::point` |
-//! | section 3.2 | edge weights | `link::spanning::weight::weigh` |
+//! | section 3.2 | w_c, w_b | `link::spanning::weight::weigh` |
 //! | section 3.2, figure 5 b | minimum spanning graph | `link::spanning::graph::minimum_spanning_graph` |
 //! | section 3.2 | pathLonger | `link::spanning::graph::closes_long` |
 //! | section 3.2 | disjoint set | `math::union_find::UnionFind` |
 //! | section 3.3, figure 5 c | pruning | `link::spanning::prune::prune` |
 //! | section 3.3 | singleton end | `link::spanning::prune::prune` |
-//! | section 4, figure 8 | spline | `recover::recover` |
+//! | section 4, figure 8 | spline | `recover::spline::strip` |
 //! | section 4 | chordal length parameterization | `curve::fit::fit` |
 //! | section 4.1, figures 9, 10 | wedge fitting, crease strips | not built |
 //! | section 4.2, figure 11 | corner fitting | not built |
@@ -48,7 +48,7 @@
 //! | section 2.7 | G_closed | `link::clusters::as_printed::link_as_printed` |
 //! | section 2.8 | G_smooth | `link::clusters::smooth::smooth` |
 //! | section 3 | boundary | `link::clusters::include::include` |
-//! | section 4, future work | curve network | `patch::patches` |
+//! | section 4, future work | curve network | `patch` |
 //!
 //! # T.-T. Tran, S. Ali, D. Laurendeau: Automatic Sharp Feature Extraction with Optimal Neighborhood Size (2013)
 //!

@@ -9,12 +9,12 @@ mod best;
 mod camera;
 mod caption;
 mod compose;
+mod depth_buffer;
 mod hidden;
 mod picture;
 mod scene;
 mod stroke;
 mod style;
-mod surface;
 mod surfel;
 mod tone;
 

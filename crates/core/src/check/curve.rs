@@ -1,6 +1,6 @@
 //! Invariants of the curve that a strip was fitted with.
 
-use super::finite;
+use super::verdict::finite;
 use crate::curve::BSpline;
 use crate::math::vec3::{distance, norm, sub};
 use crate::network::{Network, Strip};

@@ -1,6 +1,6 @@
 //! Invariants of a network's nodes.
 
-use super::finite;
+use super::verdict::finite;
 use crate::network::{Network, NodeKind};
 
 pub(super) fn faults(network: &Network) -> Vec<String> {

@@ -1,6 +1,6 @@
 //! The invariants of patches.
 
-use super::verdict;
+use super::verdict::verdict;
 use crate::network::Network;
 use crate::patch::{Coedge, Loop, NO_PATCH, Patches};
 

@@ -1,6 +1,6 @@
 //! Invariants of a network's strips.
 
-use super::finite;
+use super::verdict::finite;
 use crate::network::{Network, Strip, Trace, trace};
 
 pub(super) fn faults(network: &Network, strip: &Strip) -> Vec<String> {

@@ -1,7 +1,7 @@
 use super::perfect::perfect;
 use super::*;
 use crate::curve::BSpline;
-use crate::network::{Node, NodeKind, Strip};
+use crate::network::{Network, Node, NodeKind, Strip};
 use crate::shapes::{self, Shape};
 
 /// The fault that a change of the bracket's network (18 open strips first, then 4 loops) brings.

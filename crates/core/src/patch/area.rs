@@ -2,8 +2,8 @@
 //! strips beside it.
 
 use super::beside::Beside;
+use super::ground::{Ground, NO_PATCH};
 use super::stations::Stations;
-use super::{Ground, NO_PATCH};
 use crate::math::vec3::{cross, distance, dot, perpendicular, sub, unit};
 use rayon::prelude::*;
 

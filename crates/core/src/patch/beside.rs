@@ -5,7 +5,7 @@
 //! the circle, weighted by how well a point's distance lets it tell a direction. A point is on the side whose half-line is
 //! nearer. A border, or a strip with points on one side only, has one half-line.
 
-use super::Ground;
+use super::ground::Ground;
 use super::stations::{Station, Stations};
 use crate::math::vec3::{add_scaled, distance, dot, norm, sub};
 use crate::neighbors::Index;

@@ -10,8 +10,8 @@ mod surface;
 
 pub use surface::{Fit, Surface};
 
-use super::Ground;
 use super::beside::Beside;
+use super::ground::Ground;
 use rayon::prelude::*;
 
 /// Most points that a surface is fitted to.

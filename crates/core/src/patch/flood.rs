@@ -1,7 +1,7 @@
 //! Components of the neighbour graph that no strip crosses.
 
 use super::beside::{Beside, Entry};
-use super::{Ground, NO_PATCH};
+use super::ground::{Ground, NO_PATCH};
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::{dot, norm, sub};
 use rayon::prelude::*;

@@ -7,8 +7,8 @@
 //! then turned so that it encloses a positive volume; of an open sheet that is the side away from its centre.
 
 use super::beside::Beside;
+use super::ground::{Ground, NO_PATCH};
 use super::stations::{Station, Stations};
-use super::{Ground, NO_PATCH};
 use crate::math::vec3::{add_scaled, dot, scale, sub};
 
 /// Sets with a sign relative to their root.

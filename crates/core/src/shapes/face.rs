@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::surface::Surface;
+use super::surface::FaceSurface;
 use super::turns::sin_cos;
 use crate::math::vec3::{cross, norm, sub};
 
@@ -27,14 +27,14 @@ pub enum Trim {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Face {
     /// The surface that it lies on.
-    pub surface: Surface,
+    pub surface: FaceSurface,
     /// All that is cut away.
     pub trims: Vec<Trim>,
 }
 
 impl Face {
     /// A face without trims.
-    pub fn new(surface: Surface) -> Self {
+    pub fn new(surface: FaceSurface) -> Self {
         Self { surface, trims: Vec::new() }
     }
 
@@ -56,7 +56,7 @@ impl Face {
 
     /// Area: exact on planes and on untrimmed surfaces, by midpoints of a 1024 by 1024 lattice elsewhere.
     pub fn area(&self) -> f64 {
-        if let Surface::Plane { .. } = self.surface {
+        if let FaceSurface::Plane { .. } = self.surface {
             return self.trims.iter().fold(self.surface.area(), |area, trim| match trim {
                 Trim::Polygon(outline) => shoelace(outline),
                 Trim::Cylinder { radius, .. } => area - PI * radius * radius,
@@ -72,11 +72,11 @@ impl Face {
         let (mut left, mut all) = (0.0, 0.0);
         for v in (0..n).map(middle) {
             let weight = match self.surface {
-                Surface::Cone { from, to, .. } => from[0] + (to[0] - from[0]) * v,
-                Surface::Torus { ring, tube, .. } => ring + tube * sin_cos(v)[0],
-                Surface::Plane { .. } | Surface::Sphere { .. } => 1.0,
+                FaceSurface::Cone { from, to, .. } => from[0] + (to[0] - from[0]) * v,
+                FaceSurface::Torus { ring, tube, .. } => ring + tube * sin_cos(v)[0],
+                FaceSurface::Plane { .. } | FaceSurface::Sphere { .. } => 1.0,
             };
-            let v = if let Surface::Sphere { .. } = self.surface { 2.0 * v - 1.0 } else { v };
+            let v = if let FaceSurface::Sphere { .. } = self.surface { 2.0 * v - 1.0 } else { v };
             let kept = (0..n).filter(|&i| self.holds(self.surface.at([middle(i), v]))).count();
             left += weight * kept as f64;
             all += weight * f64::from(n);

@@ -1,6 +1,8 @@
 //! Ready scans by name, for the program's first run, the documentation and the tests.
 
-use super::*;
+use super::parts::*;
+use super::sampling::{Sampled, Sampling, Scan};
+use super::shape::Shape;
 
 /// The sample that shows most: see [`samples`].
 pub const DEFAULT_SAMPLE: &str = "bracket";

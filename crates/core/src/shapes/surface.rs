@@ -18,7 +18,7 @@ pub struct Axes {
 
 /// The untrimmed surface of a `Face`, with its parameters `(u, v)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Surface {
+pub enum FaceSurface {
     /// `origin + u x + v y` with the normal `z`; `(u, v)` from `low` to `high`.
     Plane {
         /// Where the plane lies.
@@ -86,7 +86,7 @@ impl Axes {
     }
 }
 
-impl Surface {
+impl FaceSurface {
     /// The point at `(u, v)`.
     pub fn at(&self, [u, v]: [f64; 2]) -> [f64; 3] {
         let around = |axes: &Axes, r: f64, z: f64| {
@@ -94,14 +94,14 @@ impl Surface {
             axes.to_world([r * c, r * s, z])
         };
         match self {
-            Surface::Plane { axes, .. } => axes.to_world([u, v, 0.0]),
-            Surface::Cone { axes, from, to } => {
+            FaceSurface::Plane { axes, .. } => axes.to_world([u, v, 0.0]),
+            FaceSurface::Cone { axes, from, to } => {
                 around(axes, from[0] + (to[0] - from[0]) * v, from[1] + (to[1] - from[1]) * v)
             }
-            Surface::Sphere { axes, radius } => {
+            FaceSurface::Sphere { axes, radius } => {
                 around(axes, radius * (1.0 - v * v).max(0.0).sqrt(), radius * v)
             }
-            Surface::Torus { axes, ring, tube } => {
+            FaceSurface::Torus { axes, ring, tube } => {
                 let [c, s] = sin_cos(v);
                 around(axes, ring + tube * c, tube * s)
             }
@@ -114,12 +114,12 @@ impl Surface {
         let q = axes.to_local(p);
         let radial = unit([q[0], q[1], 0.0]);
         let local = match self {
-            Surface::Plane { .. } => [0.0, 0.0, 1.0],
-            Surface::Cone { from, to, .. } => {
+            FaceSurface::Plane { .. } => [0.0, 0.0, 1.0],
+            FaceSurface::Cone { from, to, .. } => {
                 add_scaled(scale(radial, to[1] - from[1]), [0.0, 0.0, 1.0], from[0] - to[0])
             }
-            Surface::Sphere { .. } => q,
-            Surface::Torus { ring, .. } => sub(q, scale(radial, *ring)),
+            FaceSurface::Sphere { .. } => q,
+            FaceSurface::Torus { ring, .. } => sub(q, scale(radial, *ring)),
         };
         unit(sub(axes.to_world(local), axes.origin))
     }
@@ -129,38 +129,38 @@ impl Surface {
         let q = self.axes().to_local(p);
         let r = norm([q[0], q[1], 0.0]);
         match self {
-            Surface::Plane { low, high, .. } => {
+            FaceSurface::Plane { low, high, .. } => {
                 let beyond = |k: usize| q[k] - q[k].clamp(low[k], high[k]);
                 norm([beyond(0), beyond(1), q[2]])
             }
-            Surface::Cone { from, to, .. } => {
+            FaceSurface::Cone { from, to, .. } => {
                 let [dr, dz] = [to[0] - from[0], to[1] - from[1]];
                 let along = ((r - from[0]) * dr + (q[2] - from[1]) * dz) / (dr * dr + dz * dz);
                 let v = along.clamp(0.0, 1.0);
                 norm([r - from[0] - dr * v, q[2] - from[1] - dz * v, 0.0])
             }
-            Surface::Sphere { radius, .. } => (norm(q) - radius).abs(),
-            Surface::Torus { ring, tube, .. } => (norm([r - ring, q[2], 0.0]) - tube).abs(),
+            FaceSurface::Sphere { radius, .. } => (norm(q) - radius).abs(),
+            FaceSurface::Torus { ring, tube, .. } => (norm([r - ring, q[2], 0.0]) - tube).abs(),
         }
     }
 
     /// The frame of the surface.
     pub fn axes(&self) -> &Axes {
         match self {
-            Surface::Plane { axes, .. }
-            | Surface::Cone { axes, .. }
-            | Surface::Sphere { axes, .. }
-            | Surface::Torus { axes, .. } => axes,
+            FaceSurface::Plane { axes, .. }
+            | FaceSurface::Cone { axes, .. }
+            | FaceSurface::Sphere { axes, .. }
+            | FaceSurface::Torus { axes, .. } => axes,
         }
     }
 
     /// Area without trims.
     pub fn area(&self) -> f64 {
         match self {
-            Surface::Plane { low, high, .. } => (high[0] - low[0]) * (high[1] - low[1]),
-            Surface::Cone { from, to, .. } => PI * (from[0] + to[0]) * slant(*from, *to),
-            Surface::Sphere { radius, .. } => 4.0 * PI * radius * radius,
-            Surface::Torus { ring, tube, .. } => 4.0 * PI * PI * ring * tube,
+            FaceSurface::Plane { low, high, .. } => (high[0] - low[0]) * (high[1] - low[1]),
+            FaceSurface::Cone { from, to, .. } => PI * (from[0] + to[0]) * slant(*from, *to),
+            FaceSurface::Sphere { radius, .. } => 4.0 * PI * radius * radius,
+            FaceSurface::Torus { ring, tube, .. } => 4.0 * PI * PI * ring * tube,
         }
     }
 
@@ -168,16 +168,16 @@ impl Surface {
     pub(crate) fn uniform(&self, rng: &mut Rng) -> [f64; 2] {
         let [u, v] = [rng.uniform(), rng.uniform()];
         match self {
-            Surface::Plane { low, high, .. } => {
+            FaceSurface::Plane { low, high, .. } => {
                 [low[0] + (high[0] - low[0]) * u, low[1] + (high[1] - low[1]) * v]
             }
-            Surface::Cone { from: [a, _], to: [b, _], .. } => {
+            FaceSurface::Cone { from: [a, _], to: [b, _], .. } => {
                 // The radius grows along v, so v has the density a + (b - a) v.
                 let radius = (a * a + (b * b - a * a) * v).sqrt();
                 [u, (a + b) * v / (a + radius).max(f64::MIN_POSITIVE)]
             }
-            Surface::Sphere { .. } => [u, 2.0 * v - 1.0],
-            Surface::Torus { ring, tube, .. } => {
+            FaceSurface::Sphere { .. } => [u, 2.0 * v - 1.0],
+            FaceSurface::Torus { ring, tube, .. } => {
                 let mut angle = v;
                 while rng.uniform() * (ring + tube) > ring + tube * sin_cos(angle)[0] {
                     angle = rng.uniform();

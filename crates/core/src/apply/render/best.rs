@@ -3,10 +3,10 @@
 use rayon::prelude::*;
 
 use super::camera::Camera;
+use super::depth_buffer::DepthBuffer;
 use super::hidden::is_visible;
 use super::scene::{Scene, Settings};
 use super::style::LINE_BIAS;
-use super::surface::Surface;
 use super::surfel::{Projected, Surfel};
 
 /// Side of the small trial pictures in pixels.
@@ -95,7 +95,7 @@ fn shown(
             p
         })
         .collect();
-    let surface = Surface::draw(&projected, TRIAL, TRIAL);
+    let surface = DepthBuffer::draw(&projected, TRIAL, TRIAL);
     let covered = surface.surfel.iter().filter(|&&id| id != u32::MAX).count();
     let bias = (LINE_BIAS * f64::from(growth) * scene.spacing * camera.scale) as f32 + 1.0;
     let visible = lines.iter().filter(|&&p| is_visible(camera.project(p), &surface, bias)).count();

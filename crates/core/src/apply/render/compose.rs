@@ -3,12 +3,12 @@
 use rayon::prelude::*;
 
 use super::camera::{Camera, View};
-use super::hidden::{is_visible, runs};
+use super::depth_buffer::DepthBuffer;
+use super::hidden::{is_visible, stretches};
 use super::picture::{Picture, WHITE};
 use super::scene::{Scene, Settings};
 use super::stroke::Mask;
 use super::style::{LINE_BIAS, node_colour, strip_colour};
-use super::surface::Surface;
 use super::surfel::Projected;
 use super::{best, caption, tone};
 use crate::error::Error;
@@ -27,7 +27,7 @@ pub fn render(scene: &Scene, settings: &Settings) -> Result<Picture, Error> {
     settings.check()?;
     let camera = aim(scene, settings);
     let projected: Vec<Projected> = scene.surfels.par_iter().map(|s| s.project(&camera)).collect();
-    let surface = Surface::draw(&projected, settings.width * FINE, settings.height * FINE);
+    let surface = DepthBuffer::draw(&projected, settings.width * FINE, settings.height * FINE);
     let spacing = (scene.spacing * camera.scale) as f32;
     let fine = tone::shaded(&projected, &surface, spacing);
     let mut picture = tone::averaged(&fine, settings.width, settings.height, FINE);
@@ -69,7 +69,7 @@ fn bias(spacing: f32) -> f32 {
 fn draw_strips(
     network: &Network,
     camera: &Camera,
-    surface: &Surface,
+    surface: &DepthBuffer,
     spacing: f32,
     pen: f32,
     picture: &mut Picture,
@@ -80,10 +80,10 @@ fn draw_strips(
     let bias = bias(spacing);
     for strip in &network.strips {
         let line = projected_line(&strip.points, strip.closed, camera);
-        for run in runs(&line, surface, bias) {
-            let points: Vec<[f32; 2]> = run.points.iter().map(|p| p.map(|x| x / FINE as f32)).collect();
+        for stretch in stretches(&line, surface, bias) {
+            let points: Vec<[f32; 2]> = stretch.points.iter().map(|p| p.map(|x| x / FINE as f32)).collect();
             let Some((_, hidden, visible)) = layers.iter_mut().find(|l| l.0 == strip.kind) else { continue };
-            if run.visible {
+            if stretch.visible {
                 halo.polyline(&points, 2.0 * pen);
                 visible.polyline(&points, pen);
             } else {
@@ -103,7 +103,7 @@ fn draw_strips(
 fn draw_nodes(
     network: &Network,
     camera: &Camera,
-    surface: &Surface,
+    surface: &DepthBuffer,
     spacing: f32,
     pen: f32,
     picture: &mut Picture,

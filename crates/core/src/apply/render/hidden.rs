@@ -1,9 +1,9 @@
 //! Which parts of a line the surface hides.
 
-use super::surface::Surface;
+use super::depth_buffer::DepthBuffer;
 
 /// A part of a line that is seen, or hidden, as a whole.
-pub(super) struct Run {
+pub(super) struct Stretch {
     pub visible: bool,
     /// Positions on the surface's pixel grid, in order; at least two.
     pub points: Vec<[f32; 2]>,
@@ -15,29 +15,29 @@ const STEP: f32 = 1.5;
 const MAJORITY_REACH: usize = 5;
 
 /// Cuts a line of projected points where it passes behind the surface by more than `bias` pixels of depth.
-pub(super) fn runs(line: &[[f32; 3]], surface: &Surface, bias: f32) -> Vec<Run> {
+pub(super) fn stretches(line: &[[f32; 3]], surface: &DepthBuffer, bias: f32) -> Vec<Stretch> {
     let samples = resample(line);
     let seen: Vec<bool> = samples.iter().map(|&p| is_visible(p, surface, bias)).collect();
     let seen = majority(&seen);
-    let mut runs: Vec<Run> = Vec::new();
+    let mut stretches: Vec<Stretch> = Vec::new();
     for (i, (sample, &visible)) in samples.iter().zip(&seen).enumerate() {
         let point = [sample[0], sample[1]];
-        match runs.last_mut() {
-            Some(run) if run.visible == visible => run.points.push(point),
-            Some(run) => {
-                run.points.push(point);
-                runs.push(Run { visible, points: vec![point] });
+        match stretches.last_mut() {
+            Some(stretch) if stretch.visible == visible => stretch.points.push(point),
+            Some(stretch) => {
+                stretch.points.push(point);
+                stretches.push(Stretch { visible, points: vec![point] });
             }
-            None if i == 0 => runs.push(Run { visible, points: vec![point] }),
+            None if i == 0 => stretches.push(Stretch { visible, points: vec![point] }),
             None => {}
         }
     }
-    runs.retain(|run| run.points.len() > 1);
-    runs
+    stretches.retain(|stretch| stretch.points.len() > 1);
+    stretches
 }
 
 /// Whether nothing lies more than `bias` pixels nearer to the eye.
-pub(super) fn is_visible([x, y, z]: [f32; 3], surface: &Surface, bias: f32) -> bool {
+pub(super) fn is_visible([x, y, z]: [f32; 3], surface: &DepthBuffer, bias: f32) -> bool {
     surface.at(x, y) <= z + bias
 }
 
@@ -82,24 +82,24 @@ mod tests {
 
     #[test]
     fn a_line_behind_a_disc_is_cut_into_three() {
-        let surface = Surface::draw(&[disc()], 100, 100);
-        let runs = runs(&[[2.0, 50.5, 0.0], [98.0, 50.5, 0.0]], &surface, 2.0);
-        assert_eq!(runs.iter().map(|r| r.visible).collect::<Vec<_>>(), [true, false, true]);
-        let hidden = &runs[1].points;
+        let surface = DepthBuffer::draw(&[disc()], 100, 100);
+        let stretches = stretches(&[[2.0, 50.5, 0.0], [98.0, 50.5, 0.0]], &surface, 2.0);
+        assert_eq!(stretches.iter().map(|r| r.visible).collect::<Vec<_>>(), [true, false, true]);
+        let hidden = &stretches[1].points;
         assert!((hidden[0][0] - 30.0).abs() < 2.0 && (hidden[hidden.len() - 1][0] - 70.0).abs() < 2.0);
     }
 
     #[test]
     fn a_line_on_the_surface_is_seen_whole() {
-        let surface = Surface::draw(&[disc()], 100, 100);
-        let runs = runs(&[[2.0, 50.5, 9.0], [98.0, 50.5, 9.0]], &surface, 2.0);
-        assert_eq!(runs.iter().map(|r| r.visible).collect::<Vec<_>>(), [true]);
+        let surface = DepthBuffer::draw(&[disc()], 100, 100);
+        let stretches = stretches(&[[2.0, 50.5, 9.0], [98.0, 50.5, 9.0]], &surface, 2.0);
+        assert_eq!(stretches.iter().map(|r| r.visible).collect::<Vec<_>>(), [true]);
     }
 
     #[test]
     fn one_point_or_none_gives_no_run() {
-        let surface = Surface::draw(&[], 8, 8);
-        assert!(runs(&[], &surface, 1.0).is_empty());
-        assert!(runs(&[[1.0, 1.0, 0.0]], &surface, 1.0).is_empty());
+        let surface = DepthBuffer::draw(&[], 8, 8);
+        assert!(stretches(&[], &surface, 1.0).is_empty());
+        assert!(stretches(&[[1.0, 1.0, 0.0]], &surface, 1.0).is_empty());
     }
 }

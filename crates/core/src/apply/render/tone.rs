@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
+use super::depth_buffer::DepthBuffer;
 use super::picture::{Colour, Picture};
-use super::surface::Surface;
 use super::surfel::Projected;
 
 /// Towards the light: over the left shoulder of the viewer. Unit length.
@@ -23,7 +23,7 @@ const DOT_TONE: f32 = 0.62;
 const INK: Colour = [0.10, 0.13, 0.17];
 
 /// A tone a pixel of the surface: 1 where there is nothing.
-pub(super) fn shaded(surfels: &[Projected], surface: &Surface, spacing: f32) -> Vec<f32> {
+pub(super) fn shaded(surfels: &[Projected], surface: &DepthBuffer, spacing: f32) -> Vec<f32> {
     let range = depth_range(surface);
     let dotted = spacing >= DOTS_FROM;
     let tones: Vec<f32> = surfels.par_iter().map(|s| tone(s, range)).collect();
@@ -46,7 +46,7 @@ pub(super) fn shaded(surfels: &[Projected], surface: &Surface, spacing: f32) -> 
 }
 
 /// Depths of the farthest and the nearest pixel.
-fn depth_range(surface: &Surface) -> [f32; 2] {
+fn depth_range(surface: &DepthBuffer) -> [f32; 2] {
     let seen = surface.depth.iter().filter(|d| d.is_finite());
     seen.fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], &d| [low.min(d), high.max(d)])
 }
@@ -59,7 +59,7 @@ fn tone(s: &Projected, [far, near]: [f32; 2]) -> f32 {
 }
 
 /// A small disc in the tangent plane, where the surface in front of it leaves it in sight.
-fn draw_dot(s: &Projected, radius: f32, tone: f32, surface: &Surface, fine: &mut [f32]) {
+fn draw_dot(s: &Projected, radius: f32, tone: f32, surface: &DepthBuffer, fine: &mut [f32]) {
     let [sx, sy] = s.slope();
     let reach = radius.ceil() as i32;
     for dy in -reach..=reach {

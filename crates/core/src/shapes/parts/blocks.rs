@@ -1,8 +1,8 @@
 //! Solids with plane faces.
 
-use super::Shape;
 use super::polyhedron::{polyhedron, prism};
-use super::turns::sin_cos;
+use crate::shapes::shape::Shape;
+use crate::shapes::turns::sin_cos;
 
 /// The faces of a box whose corner `i` is high in x, y, z where the bits 0, 1, 2 of `i` are set.
 const BOX: [&[u32]; 6] =

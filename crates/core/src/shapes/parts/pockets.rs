@@ -1,7 +1,7 @@
 //! Blocks with rectangular pockets and holes: prisms over more than one outline.
 
-use super::Shape;
 use super::polyhedron::polyhedron;
+use crate::shapes::shape::Shape;
 
 /// A rectangle taken out of the top of a block, down by `depth`.
 struct Pocket {

@@ -1,14 +1,14 @@
 //! Parts with round holes: blind, through, crossing, countersunk, on a bolt circle.
 
-use super::Shape;
-use super::face::{Face, Trim};
 use super::polyhedron::prism;
 use super::revolution::revolve;
-use super::surface::{Axes, Surface};
-use super::truth::{CIRCLE, Fold, TruthCurve, circle, fold_between};
-use super::turns::sin_cos;
 use crate::math::vec3::unit;
 use crate::network::StripKind;
+use crate::shapes::face::{Face, Trim};
+use crate::shapes::shape::Shape;
+use crate::shapes::surface::{Axes, FaceSurface};
+use crate::shapes::truth::{CIRCLE, Fold, TruthCurve, circle, fold_between};
+use crate::shapes::turns::sin_cos;
 
 /// The faces of a prism that lie across it.
 pub(super) const BOTTOM: usize = 0;
@@ -23,7 +23,7 @@ pub fn countersunk_plate() -> Shape {
     shape.cut(TOP, axes, sink);
     shape.cut(BOTTOM, axes, bore);
     for (from, to) in [([sink, 0.0], [bore, -depth]), ([bore, -depth], [bore, -thickness])] {
-        shape.faces.push(Face::new(Surface::Cone { axes, from, to }));
+        shape.faces.push(Face::new(FaceSurface::Cone { axes, from, to }));
     }
     for (radius, z) in [(sink, thickness), (bore, thickness - depth)] {
         let line = circle([2.0, 2.0, z], axes.x, axes.y, radius);

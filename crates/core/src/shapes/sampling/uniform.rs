@@ -2,9 +2,9 @@
 
 use std::iter;
 
-use super::Shape;
-use super::random::Rng;
 use crate::math::vec3::distance2;
+use crate::shapes::random::Rng;
+use crate::shapes::shape::Shape;
 
 /// Darts thrown for each point of a blue-noise cloud.
 const DARTS: usize = 8;

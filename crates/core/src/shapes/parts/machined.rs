@@ -1,13 +1,13 @@
 //! Parts as they come from a workshop: counterbores, a nut, a slot, a channel, a hollow shaft, a hub.
 
-use super::Shape;
 use super::drilled::{BOTTOM, TOP, rectangle};
-use super::face::{Face, Trim, shoelace};
 use super::polyhedron::prism;
 use super::revolution::revolve;
-use super::surface::{Axes, Surface};
-use super::truth::{CIRCLE, Fold, TruthCurve, circle};
-use super::turns::sin_cos;
+use crate::shapes::face::{Face, Trim, shoelace};
+use crate::shapes::shape::Shape;
+use crate::shapes::surface::{Axes, FaceSurface};
+use crate::shapes::truth::{CIRCLE, Fold, TruthCurve, circle};
+use crate::shapes::turns::sin_cos;
 
 /// A plate of 5 by 3 by 1.2 with two bores of radius 0.35, widened to 0.7 for the upper 0.5.
 pub fn counterbored_plate() -> Shape {
@@ -28,7 +28,7 @@ pub fn hex_nut() -> Shape {
     let axes = Axes::at([0.0; 3]);
     let way = [[bore + sink, height], [bore, height - sink], [bore, sink], [bore + sink, 0.0]];
     for w in way.windows(2) {
-        shape.faces.push(Face::new(Surface::Cone { axes, from: w[0], to: w[1] }));
+        shape.faces.push(Face::new(FaceSurface::Cone { axes, from: w[0], to: w[1] }));
     }
     for [radius, z] in way {
         let line = circle([0.0, 0.0, z], axes.x, axes.y, radius);
@@ -63,7 +63,7 @@ pub fn slotted_plate() -> Shape {
     }
     for ([x, y], side) in [(left, -1.0), (right, 1.0)] {
         let axes = Axes::at([x, y, 0.0]);
-        let mut end = Face::new(Surface::Cone { axes, from: [half, thickness], to: [half, 0.0] });
+        let mut end = Face::new(FaceSurface::Cone { axes, from: [half, thickness], to: [half, 0.0] });
         let far = 2.0 * side;
         end.trims.push(Trim::Polygon(vec![[0.0, -2.0], [far, -2.0], [far, 2.0], [0.0, 2.0]]));
         shape.faces.push(end);
@@ -77,7 +77,7 @@ pub fn slotted_plate() -> Shape {
             z: [0.0, -side, 0.0],
         };
         let high = [right[0] - left[0], thickness];
-        shape.faces.push(Face::new(Surface::Plane { axes, low: [0.0; 2], high }));
+        shape.faces.push(Face::new(FaceSurface::Plane { axes, low: [0.0; 2], high }));
     }
     shape
 }

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::surfel::Projected;
 
 /// Depth and surfel of the front surface, a value a pixel.
-pub(super) struct Surface {
+pub(super) struct DepthBuffer {
     pub width: usize,
     pub height: usize,
     /// Depth in pixels, greater nearer; minus infinity where there is no surface.
@@ -21,7 +21,7 @@ const GREATEST_RADIUS: f32 = 400.0;
 /// Nor does it shrink below this: less would leave pixels between the centres of close points.
 const LEAST_RADIUS: f32 = 0.75;
 
-impl Surface {
+impl DepthBuffer {
     /// Draws every surfel's disc; the nearest wins, the lower index among equals.
     pub fn draw(surfels: &[Projected], width: usize, height: usize) -> Self {
         let mut surface = Self {
@@ -119,7 +119,7 @@ mod tests {
         let near = facing(20.0, 40.0, 5.0, 4.0);
         let far = facing(20.0, 40.0, 1.0, 8.0);
         for surfels in [[near, far], [far, near]] {
-            let surface = Surface::draw(&surfels, 64, 80);
+            let surface = DepthBuffer::draw(&surfels, 64, 80);
             assert_eq!(surface.at(20.5, 40.5), 5.0);
             assert_eq!(surface.at(26.5, 40.5), 1.0);
             assert_eq!(surface.at(40.5, 40.5), f32::NEG_INFINITY);
@@ -135,7 +135,7 @@ mod tests {
             normal: [half, 0.0, half],
             radius: 10.0,
         };
-        let surface = Surface::draw(&[tilted], 64, 64);
+        let surface = DepthBuffer::draw(&[tilted], 64, 64);
         assert_eq!(surface.at(34.5, 30.5), -4.5);
         assert_eq!(surface.at(39.5, 30.5), f32::NEG_INFINITY, "foreshortened to 7 pixels");
         assert_eq!(surface.at(30.5, 38.5), -0.5, "not foreshortened along the axis of the tilt");
@@ -145,7 +145,7 @@ mod tests {
     fn discs_outside_the_picture_or_not_finite_leave_it_alone() {
         let out =
             [facing(-50.0, 5.0, 0.0, 4.0), facing(5.0, 900.0, 0.0, 4.0), facing(f32::NAN, 5.0, 0.0, 4.0)];
-        let surface = Surface::draw(&out, 32, 32);
+        let surface = DepthBuffer::draw(&out, 32, 32);
         assert!(surface.depth.iter().all(|&d| d == f32::NEG_INFINITY));
     }
 }

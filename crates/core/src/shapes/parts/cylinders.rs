@@ -1,14 +1,14 @@
 //! Two cylinders that cross at right angles (Demarsin et al., "Detection of closed sharp edges in point clouds", 2007,
 //! figures 1 to 6).
 
-use super::Shape;
-use super::face::Trim;
 use super::revolution::revolve_about;
-use super::surface::Axes;
-use super::truth::{CIRCLE, Fold, Truth, TruthCurve, fold_between};
-use super::turns::sin_cos;
 use crate::math::vec3::unit;
 use crate::network::StripKind;
+use crate::shapes::face::Trim;
+use crate::shapes::shape::Shape;
+use crate::shapes::surface::Axes;
+use crate::shapes::truth::{CIRCLE, Fold, Truth, TruthCurve, fold_between};
+use crate::shapes::turns::sin_cos;
 
 /// Half the length of either cylinder in greater radii.
 const HALF_LENGTH: f64 = 2.5;
@@ -60,7 +60,7 @@ pub fn pipe_cross() -> Shape {
 
 impl Shape {
     /// Takes in the faces and curves of another shape without nodes.
-    pub(super) fn join(&mut self, other: Shape) {
+    pub(in crate::shapes) fn join(&mut self, other: Shape) {
         self.faces.extend(other.faces);
         self.network.curves.extend(other.network.curves);
     }

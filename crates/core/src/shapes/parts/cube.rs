@@ -1,8 +1,9 @@
 //! Cubes: exact, on the papers' grid, and Gumhold's random one.
 
-use super::random::Rng;
-use super::scan::{Noise, Sampled, Sampling, Scan};
-use super::{Shape, cuboid};
+use super::blocks::cuboid;
+use crate::shapes::random::Rng;
+use crate::shapes::sampling::{Noise, Sampled, Sampling, Scan};
+use crate::shapes::shape::Shape;
 
 /// A cube centred at the origin.
 pub fn cube(edge: f64) -> Shape {

@@ -1,9 +1,9 @@
 //! Shapes turned about the z axis.
 
-use super::Shape;
-use super::face::Face;
-use super::surface::{Axes, Surface};
-use super::truth::{Fold, Truth, TruthCurve, circle, fold_between};
+use crate::shapes::face::Face;
+use crate::shapes::shape::Shape;
+use crate::shapes::surface::{Axes, FaceSurface};
+use crate::shapes::truth::{Fold, Truth, TruthCurve, circle, fold_between};
 
 /// The surface that a polyline of `(r, z)`, r at least 0, sweeps about the z axis, its outside to the right of the
 /// way: upwards on the outer wall. Where the profile turns there is a circle, where it ends off the axis a border, and
@@ -15,7 +15,7 @@ pub fn revolve(name: &'static str, profile: &[[f64; 2]]) -> Shape {
 
 /// [`revolve`] about the z axis of a frame.
 pub(super) fn revolve_about(name: &'static str, axes: Axes, profile: &[[f64; 2]]) -> Shape {
-    let strip = |w: &[[f64; 2]]| Face::new(Surface::Cone { axes, from: w[0], to: w[1] });
+    let strip = |w: &[[f64; 2]]| Face::new(FaceSurface::Cone { axes, from: w[0], to: w[1] });
     let faces: Vec<Face> = profile.windows(2).map(strip).collect();
     let ring = |[r, z]: [f64; 2]| circle(axes.to_world([0.0, 0.0, z]), axes.x, axes.y, r);
     let mut curves: Vec<TruthCurve> =
@@ -90,12 +90,12 @@ pub fn stepped_shaft() -> Shape {
 
 /// A sphere about the origin: no feature at all.
 pub fn sphere(radius: f64) -> Shape {
-    let face = Face::new(Surface::Sphere { axes: Axes::at([0.0; 3]), radius });
+    let face = Face::new(FaceSurface::Sphere { axes: Axes::at([0.0; 3]), radius });
     Shape { name: "sphere", faces: vec![face], network: Truth::default() }
 }
 
 /// A torus about the z axis, `tube` below `ring`: no feature at all.
 pub fn torus(ring: f64, tube: f64) -> Shape {
-    let face = Face::new(Surface::Torus { axes: Axes::at([0.0; 3]), ring, tube });
+    let face = Face::new(FaceSurface::Torus { axes: Axes::at([0.0; 3]), ring, tube });
     Shape { name: "torus", faces: vec![face], network: Truth::default() }
 }

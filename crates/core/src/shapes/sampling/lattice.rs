@@ -7,11 +7,12 @@
 
 use std::f64::consts::TAU;
 
-use super::surface::{Surface, slant};
-use super::truth::TruthCurve;
-use super::turns::sin_cos;
-use super::{Shape, Tree};
 use crate::math::vec3::{add_scaled, distance, sub};
+use crate::shapes::nearest::Tree;
+use crate::shapes::shape::Shape;
+use crate::shapes::surface::{FaceSurface, slant};
+use crate::shapes::truth::TruthCurve;
+use crate::shapes::turns::sin_cos;
 
 /// `(N, 3)` points and the face of each (for points of curves and nodes, the first face that they lie on).
 pub(super) fn grid(shape: &Shape, step: f64) -> (Vec<[f64; 3]>, Vec<u32>) {
@@ -66,7 +67,7 @@ fn along(curve: &TruthCurve, step: f64) -> Vec<[f64; 3]> {
 }
 
 /// `(u, v)` of a lattice whose neighbours are about `step` apart, the ends of the ranges included.
-fn lattice(surface: &Surface, step: f64) -> Vec<[f64; 2]> {
+fn lattice(surface: &FaceSurface, step: f64) -> Vec<[f64; 2]> {
     let share = |i: u32, n: u32| f64::from(i) / f64::from(n);
     let rings = |rows: Vec<(f64, f64)>| {
         let ring = |(v, radius): (f64, f64)| {
@@ -76,21 +77,21 @@ fn lattice(surface: &Surface, step: f64) -> Vec<[f64; 2]> {
         rows.into_iter().flat_map(ring).collect()
     };
     match surface {
-        Surface::Plane { low, high, .. } => {
+        FaceSurface::Plane { low, high, .. } => {
             let n = [0, 1].map(|k| intervals(high[k] - low[k], step));
             let at = move |k: usize, i: u32| low[k] + (high[k] - low[k]) * share(i, n[k]);
             (0..=n[1]).flat_map(|j| (0..=n[0]).map(move |i| [at(0, i), at(1, j)])).collect()
         }
-        Surface::Cone { from, to, .. } => {
+        FaceSurface::Cone { from, to, .. } => {
             let n = intervals(slant(*from, *to), step);
             rings((0..=n).map(|j| (share(j, n), from[0] + (to[0] - from[0]) * share(j, n))).collect())
         }
-        Surface::Sphere { radius, .. } => {
+        FaceSurface::Sphere { radius, .. } => {
             let n = intervals(0.5 * TAU * radius, step);
             let row = |j| sin_cos(0.5 * share(j, n) - 0.25);
             rings((0..=n).map(|j| (row(j)[1], radius * row(j)[0])).collect())
         }
-        Surface::Torus { ring, tube, .. } => {
+        FaceSurface::Torus { ring, tube, .. } => {
             let n = intervals(TAU * tube, step);
             rings((0..n).map(|j| (share(j, n), ring + tube * sin_cos(share(j, n))[0])).collect())
         }

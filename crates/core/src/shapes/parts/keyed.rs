@@ -1,10 +1,10 @@
 //! A shaft with a keyway, and a dome.
 
-use super::Shape;
-use super::face::{Face, Trim};
-use super::surface::{Axes, Surface};
-use super::truth::{CIRCLE, Fold, Truth, TruthCurve, circle, fold_between};
-use super::turns::sin_cos;
+use crate::shapes::face::{Face, Trim};
+use crate::shapes::shape::Shape;
+use crate::shapes::surface::{Axes, FaceSurface};
+use crate::shapes::truth::{CIRCLE, Fold, Truth, TruthCurve, circle, fold_between};
+use crate::shapes::turns::sin_cos;
 
 /// Length and radius of the shaft, half the width of its keyway, and how far from the axis that ends.
 const LENGTH: f64 = 3.0;
@@ -44,7 +44,8 @@ pub fn keyed_shaft() -> Shape {
 
 /// The round wall, without the strip over the keyway.
 fn side() -> Face {
-    let mut face = Face::new(Surface::Cone { axes: Axes::at([0.0; 3]), from: [1.0, 0.0], to: [1.0, LENGTH] });
+    let mut face =
+        Face::new(FaceSurface::Cone { axes: Axes::at([0.0; 3]), from: [1.0, 0.0], to: [1.0, LENGTH] });
     let notch = [[2.0, -HALF], [FLOOR, -HALF], [FLOOR, HALF], [2.0, HALF]];
     let square = [[-2.0, -2.0], [2.0, -2.0]];
     let outline = square.into_iter().chain(notch).chain([[2.0, 2.0], [-2.0, 2.0]]);
@@ -62,14 +63,14 @@ fn wall(from: [f64; 3], to: [f64; 3], z: [f64; 3]) -> Face {
     let y = [0.0, 0.0, -up.signum()];
     let (low, high) = if y[2] > 0.0 { (0.0, LENGTH) } else { (-LENGTH, 0.0) };
     let axes = Axes { origin: from, x, y, z };
-    Face::new(Surface::Plane { axes, low: [0.0, low], high: [width, high] })
+    Face::new(FaceSurface::Plane { axes, low: [0.0, low], high: [width, high] })
 }
 
 /// A disc with the notch.
 fn cap(z: f64) -> Face {
     let up = if z > 0.0 { 1.0 } else { -1.0 };
     let axes = Axes { origin: [0.0, 0.0, z], x: [1.0, 0.0, 0.0], y: [0.0, up, 0.0], z: [0.0, 0.0, up] };
-    let mut face = Face::new(Surface::Plane { axes, low: [-1.0; 2], high: [1.0; 2] });
+    let mut face = Face::new(FaceSurface::Plane { axes, low: [-1.0; 2], high: [1.0; 2] });
     // The plan is its own mirror image, so it serves both ends.
     face.trims.push(Trim::Polygon(arc().chain([[FLOOR, -HALF], [FLOOR, HALF]]).collect()));
     face
@@ -87,11 +88,11 @@ fn arc() -> impl Iterator<Item = [f64; 2]> {
 pub fn dome(radius: f64) -> Shape {
     // The polygon is in x and y of the sphere's frame, so its x points up.
     let axes = Axes { origin: [0.0; 3], x: [0.0, 0.0, 1.0], y: [1.0, 0.0, 0.0], z: [0.0, 1.0, 0.0] };
-    let mut half = Face::new(Surface::Sphere { axes, radius });
+    let mut half = Face::new(FaceSurface::Sphere { axes, radius });
     let r = 2.0 * radius;
     half.trims.push(Trim::Polygon(vec![[0.0, -r], [r, -r], [r, r], [0.0, r]]));
     let base = Axes::at([0.0; 3]);
-    let floor = Face::new(Surface::Cone { axes: base, from: [0.0, 0.0], to: [radius, 0.0] });
+    let floor = Face::new(FaceSurface::Cone { axes: base, from: [0.0, 0.0], to: [radius, 0.0] });
     let rim = circle([0.0; 3], base.x, base.y, radius);
     let network = Truth::with_nodes(&[], vec![TruthCurve::crease(rim, 90.0, Fold::Convex, None)]);
     Shape { name: "dome", faces: vec![half, floor], network }

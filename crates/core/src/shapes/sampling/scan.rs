@@ -1,10 +1,11 @@
 //! How a shape is sampled, and what comes of it.
 
-use super::nearest::mean_spacing;
-use super::random::Rng;
-use super::truth::Truth;
-use super::{Shape, lattice, scanner, uniform};
+use super::{lattice, scanner, uniform};
 use crate::cloud::Cloud;
+use crate::shapes::nearest::mean_spacing;
+use crate::shapes::random::Rng;
+use crate::shapes::shape::Shape;
+use crate::shapes::truth::Truth;
 
 /// A way to sample a shape: where the points lie, and what spoils them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -129,7 +130,7 @@ impl Shape {
 
 impl Sampled {
     /// Measures the spacing and adds the noise.
-    pub(super) fn new(
+    pub(in crate::shapes) fn new(
         clean: Vec<[f64; 3]>,
         faces: Vec<u32>,
         truth: Truth,

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::Shape;
-use super::face::{Face, Trim, shoelace};
-use super::surface::{Axes, Surface};
-use super::truth::{Fold, Truth, TruthCurve, fold_between};
 use crate::math::vec3::{add, cross, dot, sub, unit};
+use crate::shapes::face::{Face, Trim, shoelace};
+use crate::shapes::shape::Shape;
+use crate::shapes::surface::{Axes, FaceSurface};
+use crate::shapes::truth::{Fold, Truth, TruthCurve, fold_between};
 
 /// Faces with their corners in order, seen from outside turning left. An edge of two faces becomes a crease (no
 /// curve, if the faces are coplanar), an edge of one face a border; corners are the nodes, so that each is to turn.
@@ -68,7 +68,7 @@ fn plane_face(corners: &[[f64; 3]], outline: &[u32]) -> Face {
     let flat: Vec<[f64; 2]> = points.iter().map(|&p| axes.to_local(p)).map(|q| [q[0], q[1]]).collect();
     let least = |k: usize| flat.iter().map(|q| q[k]).fold(f64::INFINITY, f64::min);
     let most = |k: usize| flat.iter().map(|q| q[k]).fold(f64::NEG_INFINITY, f64::max);
-    let surface = Surface::Plane { axes, low: [least(0), least(1)], high: [most(0), most(1)] };
+    let surface = FaceSurface::Plane { axes, low: [least(0), least(1)], high: [most(0), most(1)] };
     let mut face = Face::new(surface);
     if (shoelace(&flat) - surface.area()).abs() > 1e-9 * surface.area() {
         face.trims.push(Trim::Polygon(flat));

@@ -1,15 +1,15 @@
 //! Parts of a fixture: a stepped plate, a ribbed bracket, a dovetail guide, a pulley, a manifold.
 
-use super::Shape;
 use super::drilled::{BOTTOM, TOP, rectangle};
-use super::face::{Face, Trim};
 use super::polyhedron::{polyhedron, prism};
 use super::revolution::revolve;
-use super::surface::{Axes, Surface};
-use super::truth::{CIRCLE, Fold, TruthCurve, fold_between};
-use super::turns::sin_cos;
 use crate::math::vec3::unit;
 use crate::network::StripKind;
+use crate::shapes::face::{Face, Trim};
+use crate::shapes::shape::Shape;
+use crate::shapes::surface::{Axes, FaceSurface};
+use crate::shapes::truth::{CIRCLE, Fold, TruthCurve, fold_between};
+use crate::shapes::turns::sin_cos;
 
 /// A plate of 5 by 3, 1.6 thick up to x = 2.6 and 0.8 beyond, with a bore of radius 0.3 through the thick part, widened to
 /// 0.6 for the upper 0.4, and a blind hole of radius 0.5, 0.5 deep, in the thin part.
@@ -135,7 +135,7 @@ impl Shape {
         self.pit(from, axes, head, depth);
         self.ring(axes, head, -depth, Fold::Concave);
         for (from, to) in [([head, -depth], [bore, -depth]), ([bore, -depth], [bore, -length])] {
-            self.faces.push(Face::new(Surface::Cone { axes, from, to }));
+            self.faces.push(Face::new(FaceSurface::Cone { axes, from, to }));
         }
         self.cut(to, axes, bore);
         self.ring(axes, bore, -depth, Fold::Convex);

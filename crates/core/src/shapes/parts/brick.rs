@@ -1,9 +1,9 @@
 //! Demarsin's brick: five cylinders on a plane.
 
-use super::Shape;
 use super::polyhedron::polyhedron;
-use super::surface::Axes;
-use super::truth::Fold;
+use crate::shapes::shape::Shape;
+use crate::shapes::surface::Axes;
+use crate::shapes::truth::Fold;
 
 /// A plane, 10 by 7, with four walls at right angles that are open below; on it four cylinders that are open above, and
 /// a small fifth that points the other way and is closed (Demarsin et al. 2007, figure 10).

@@ -1,10 +1,10 @@
 //! A range scanner around a shape: rays on a raster, the first surface along each.
 
-use super::Shape;
-use super::random::Rng;
-use super::turns::sin_cos;
 use crate::math::vec3::{add, add_scaled, distance, dot, scale, sub, unit};
+use crate::shapes::random::Rng;
+use crate::shapes::shape::Shape;
 use crate::shapes::surface::Axes;
+use crate::shapes::turns::sin_cos;
 
 /// The scanner's settings: see `Sampling::Scanner`.
 pub(super) struct Rig {

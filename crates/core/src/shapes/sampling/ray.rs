@@ -1,8 +1,8 @@
 //! Where a ray meets a face: the scanner's eye.
 
-use super::face::Face;
-use super::surface::{Axes, Surface};
 use crate::math::vec3::{add_scaled, dot};
+use crate::shapes::face::Face;
+use crate::shapes::surface::{Axes, FaceSurface};
 
 /// Steps in which a torus is searched along a ray. A graze between two steps is missed, as a scanner would miss it.
 const STEPS: u32 = 128;
@@ -13,14 +13,14 @@ impl Face {
         let axes = self.surface.axes();
         let (o, d) = (axes.to_local(origin), axes.turn(direction));
         let candidates = match self.surface {
-            Surface::Plane { low, high, .. } => {
+            FaceSurface::Plane { low, high, .. } => {
                 [plane(o, d, 0.0, |p| (0..2).all(|k| (low[k]..=high[k]).contains(&p[k]))); 2]
             }
-            Surface::Cone { from, to, .. } => cone(o, d, from, to),
-            Surface::Sphere { radius, .. } => {
+            FaceSurface::Cone { from, to, .. } => cone(o, d, from, to),
+            FaceSurface::Sphere { radius, .. } => {
                 quadratic(dot(d, d), 2.0 * dot(o, d), dot(o, o) - radius * radius)
             }
-            Surface::Torus { ring, tube, .. } => return torus(o, d, ring, tube),
+            FaceSurface::Torus { ring, tube, .. } => return torus(o, d, ring, tube),
         };
         let seen = |t: &f64| *t > 0.0 && self.holds(add_scaled(origin, direction, *t));
         candidates.into_iter().flatten().filter(seen).min_by(f64::total_cmp)
@@ -29,13 +29,13 @@ impl Face {
     /// Points whose box along the world axes holds the whole surface.
     pub(crate) fn extremes(&self) -> Vec<[f64; 3]> {
         let (low, high) = match self.surface {
-            Surface::Plane { low, high, .. } => ([low[0], low[1], 0.0], [high[0], high[1], 0.0]),
-            Surface::Cone { from, to, .. } => {
+            FaceSurface::Plane { low, high, .. } => ([low[0], low[1], 0.0], [high[0], high[1], 0.0]),
+            FaceSurface::Cone { from, to, .. } => {
                 let r = from[0].max(to[0]);
                 ([-r, -r, from[1].min(to[1])], [r, r, from[1].max(to[1])])
             }
-            Surface::Sphere { radius, .. } => ([-radius; 3], [radius; 3]),
-            Surface::Torus { ring, tube, .. } => {
+            FaceSurface::Sphere { radius, .. } => ([-radius; 3], [radius; 3]),
+            FaceSurface::Torus { ring, tube, .. } => {
                 ([-ring - tube, -ring - tube, -tube], [ring + tube, ring + tube, tube])
             }
         };

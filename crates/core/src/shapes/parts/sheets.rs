@@ -1,10 +1,10 @@
 //! Open sheets: surfaces that end in a border.
 
-use super::Shape;
-use super::face::Trim;
 use super::polyhedron::polyhedron;
-use super::truth::{TruthCurve, circle};
-use super::turns::sin_cos;
+use crate::shapes::face::Trim;
+use crate::shapes::shape::Shape;
+use crate::shapes::truth::{TruthCurve, circle};
+use crate::shapes::turns::sin_cos;
 
 /// A flat rectangle, 4 by 3, in the plane z = 0: four borders that meet in corners.
 pub fn sheet() -> Shape {

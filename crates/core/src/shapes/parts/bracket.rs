@@ -1,10 +1,10 @@
 //! An L-bracket with a bore and a boss, and the round features that plane faces can carry.
 
-use super::Shape;
-use super::face::{Face, Trim};
 use super::polyhedron::prism;
-use super::surface::{Axes, Surface};
-use super::truth::{Fold, TruthCurve, circle};
+use crate::shapes::face::{Face, Trim};
+use crate::shapes::shape::Shape;
+use crate::shapes::surface::{Axes, FaceSurface};
+use crate::shapes::truth::{Fold, TruthCurve, circle};
 
 /// Depth along x, length of the foot along y, height of the wall along z, thickness of both.
 const SIZE: [f64; 3] = [4.0, 6.0, 5.0];
@@ -37,14 +37,14 @@ impl Shape {
     pub(super) fn post(&mut self, face: usize, axes: Axes, radius: f64, height: f64) {
         self.cut(face, axes, radius);
         self.ring(axes, radius, 0.0, Fold::Concave);
-        self.faces.push(Face::new(Surface::Cone { axes, from: [radius, 0.0], to: [radius, height] }));
+        self.faces.push(Face::new(FaceSurface::Cone { axes, from: [radius, 0.0], to: [radius, height] }));
     }
 
     /// A cylindrical wall down from a face, open at `depth`; the circle at its rim.
     pub(super) fn pit(&mut self, face: usize, axes: Axes, radius: f64, depth: f64) {
         self.cut(face, axes, radius);
         self.ring(axes, radius, 0.0, Fold::Convex);
-        self.faces.push(Face::new(Surface::Cone { axes, from: [radius, 0.0], to: [radius, -depth] }));
+        self.faces.push(Face::new(FaceSurface::Cone { axes, from: [radius, 0.0], to: [radius, -depth] }));
     }
 
     /// Takes a disc out of a face.
@@ -54,7 +54,7 @@ impl Shape {
 
     /// A disc at `height` that looks along z.
     pub(super) fn cap(&mut self, axes: Axes, radius: f64, height: f64) {
-        self.faces.push(Face::new(Surface::Cone { axes, from: [radius, height], to: [0.0, height] }));
+        self.faces.push(Face::new(FaceSurface::Cone { axes, from: [radius, height], to: [0.0, height] }));
     }
 
     /// A circle at `height` with a right angle.

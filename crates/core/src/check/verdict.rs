@@ -1,0 +1,10 @@
+//! What the checks share.
+
+/// Whether there is no fault.
+pub(super) fn verdict(faults: Vec<String>) -> Result<(), Vec<String>> {
+    if faults.is_empty() { Ok(()) } else { Err(faults) }
+}
+
+pub(super) fn finite(p: &[f64; 3]) -> bool {
+    p.iter().all(|x| x.is_finite())
+}

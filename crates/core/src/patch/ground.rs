@@ -1,0 +1,15 @@
+//! What the patches are found from.
+
+use crate::neighbors::Neighbors;
+use crate::resolution::Resolution;
+
+/// A point that belongs to no patch.
+pub const NO_PATCH: u32 = u32::MAX;
+
+/// A cloud: points in canonical order, local frame.
+pub(crate) struct Ground<'a> {
+    pub points: &'a [[f64; 3]],
+    pub graph: &'a Neighbors,
+    pub normals: &'a [[f32; 3]],
+    pub resolution: Resolution,
+}

@@ -1,0 +1,17 @@
+//! Where the workspace is, and the cargo that runs in it.
+
+use std::path::PathBuf;
+use std::process::Command;
+
+/// The root of the workspace.
+pub fn root() -> PathBuf {
+    let own = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    own.parent().map_or_else(|| own.clone(), PathBuf::from)
+}
+
+/// The cargo that runs this, in the root of the workspace.
+pub fn cargo() -> Command {
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.current_dir(root());
+    command
+}
