@@ -16,7 +16,7 @@ mod slices;
 pub use classify::Classify;
 pub use completions::Completions;
 pub use extract::Extract;
-pub use groups::{Reading, Running, Source, Tuning, Work};
+pub use groups::{Reading, Running, Settings, Source, Tuning, Work};
 pub use info::Info;
 pub use man::Man;
 pub use params::Params;

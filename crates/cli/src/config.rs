@@ -4,8 +4,9 @@ mod file;
 pub mod text;
 
 use lineament::params::Params;
+use lineament::section::SectionParams;
 
-use crate::args::{Running, Tuning};
+use crate::args::{Running, Settings, Slicing, Tuning};
 use crate::failure::{Code, Failure};
 
 /// The parameters in effect: the defaults, under the file, under `--method`, under `--set` in order.
@@ -20,14 +21,36 @@ pub fn params(tuning: &Tuning) -> Result<Params, Failure> {
 ///
 /// # Errors
 /// As [`params`].
-pub fn params_from(mut params: Params, tuning: &Tuning) -> Result<Params, Failure> {
-    if let Some(path) = &tuning.params {
+pub fn params_from(params: Params, tuning: &Tuning) -> Result<Params, Failure> {
+    settled(params, &tuning.settings, |params| match &tuning.method {
+        Some(method) => params.set("method", method).map_err(|e| Failure::from(e).at("--method")),
+        None => Ok(()),
+    })
+}
+
+/// The parameters of sections in effect: the defaults, under the file, under the options of their own, under `--set`.
+///
+/// # Errors
+/// As [`params`].
+pub fn section(slicing: &Slicing) -> Result<SectionParams, Failure> {
+    let options = |params: &mut Params| {
+        slicing.set(&mut params.section);
+        Ok(())
+    };
+    Ok(settled(Params::default(), &slicing.settings, options)?.section)
+}
+
+/// Parameters under the file, under what `options` set, under `--set` in order; checked.
+fn settled(
+    mut params: Params,
+    settings: &Settings,
+    options: impl FnOnce(&mut Params) -> Result<(), Failure>,
+) -> Result<Params, Failure> {
+    if let Some(path) = &settings.params {
         file::read(path, &mut params)?;
     }
-    if let Some(method) = &tuning.method {
-        params.set("method", method).map_err(|e| Failure::from(e).at("--method"))?;
-    }
-    for (key, value) in &tuning.set {
+    options(&mut params)?;
+    for (key, value) in &settings.set {
         params.set(key, value).map_err(|e| Failure::from(e).at("--set"))?;
     }
     params.check()?;

@@ -3,9 +3,12 @@
 mod bspline;
 pub(crate) mod circle;
 mod fit;
+mod fit_within;
 pub(crate) mod line;
 pub(crate) mod polygon;
 pub(crate) mod polyline;
+mod rows;
 
 pub use bspline::BSpline;
 pub use fit::{FitOptions, fit};
+pub(crate) use fit_within::fit_within;

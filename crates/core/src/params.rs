@@ -3,6 +3,7 @@
 //! The program's `--set key=value`, its parameter files and its help, and every other front end, read this table: a default
 //! stands nowhere else. Lengths are in spacings of the cloud, angles in degrees.
 
+pub(crate) mod section;
 mod table;
 mod value;
 
@@ -11,7 +12,9 @@ pub(crate) use value::choices;
 pub use value::{Auto, ParamValue};
 
 use crate::Error;
+use section::{Axis, Outline, Planes, Side};
 use table::sections;
+use value::ABOVE_0;
 
 sections! {
     /// Every parameter of the pipeline. `Params::default()` needs no change for any cloud.
@@ -99,6 +102,59 @@ sections! {
         /// Whether the patches are found; auto: with the method `segments`.
         find: Auto<bool> = Auto::Auto, "", 0.0..=0.0;
     }
+
+    /// Sections by slicing planes (Kyriazis et al. 2007).
+    section: SectionParams {
+        /// The direction across the slices. `auto`: the axis that most of the surface stands along, lies across or is turned
+        /// about; of several the one along which sections change least often, then the longest. `long`: the longest principal
+        /// axis. `thin`: the principal axis for which slices project thinnest.
+        axis: Axis = Axis::Coordinate(2), "", 0.0..=0.0;
+        /// Where the slices lie along the axis: so many, in the middles of equal parts; a step apart; at positions; or
+        /// adaptive, so many parts at first, split where neighbours differ and merged where they are alike, up to the most
+        /// (eight times as many unless told). Steps and positions are in the unit of the input.
+        planes: Planes = Planes::Count(10), "", 0.0..=0.0;
+        /// Thickness of a slab; auto: `reach_spacings` to either side.
+        thickness: Auto<f64> = Auto::Auto, "unit of the input", ABOVE_0;
+        /// How far along the surface points are carried to the plane, from either side.
+        reach_spacings: f64 = 1.5, "spacings", 0.5..=10.0;
+        /// Whether points are carried to the plane along the surface, so that a slanted wall gives a thin band; else they are
+        /// projected straight, as in the paper.
+        carry: bool = true, "", 0.0..=0.0;
+        /// Greatest length of a link between neighbouring places on a contour.
+        link_spacings: f64 = 2.4, "spacings", 1.0..=10.0;
+        /// Longest gap of a contour that is closed where samples lie all along it.
+        bridge_spacings: f64 = 30.0, "spacings", 0.0..=1000.0;
+        /// Least length of an open contour.
+        stray_spacings: f64 = 4.0, "spacings", 0.0..=1000.0;
+        /// How outlines are drawn: the middle of the band of points, the refined convex hull (section 3) or the largest empty
+        /// circles (section 4).
+        outline: Outline = Outline::Middle, "", 0.0..=0.0;
+        /// Least turn at a corner of an outline drawn through the middle, to which noise adds.
+        corner_deg: f64 = 25.0, "degrees", 5.0..=120.0;
+        /// With `hull` and `voronoi`, the mean distance from the curve up to which the points of a region are near it (the
+        /// paper's e); auto: from the thickness of the band.
+        region_spacings: Auto<f64> = Auto::Auto, "spacings", 0.0..=100.0;
+        /// With `voronoi`, how far empty circles may lie from the curve, as a multiple of the greatest distance of the region's
+        /// points from it (section 4): small for few feature points, large for many.
+        circle_bound: f64 = 1.0, "", 0.1..=100.0;
+        /// Which side of a thick band closed outlines follow: its middle, the side away from what they enclose or the side
+        /// towards it.
+        side: Side = Side::Middle, "", 0.0..=0.0;
+        /// Share of the points that the sides `out` and `in` leave beyond them.
+        beyond: f64 = 0.1, "", 0.0..=0.5;
+        /// Share of the surface that the axis `auto` must explain.
+        axis_share: f64 = 0.4, "", 0.0..=1.0;
+        /// Mean distance up to which neighbouring sections are alike, for adaptive planes; auto: from the noise.
+        alike_spacings: Auto<f64> = Auto::Auto, "spacings", 0.0..=100.0;
+        /// Whether lines, arcs, circles and splines are fitted to the contours, and the stack of slices is read.
+        fit: bool = false, "", 0.0..=0.0;
+        /// Greatest distance of a fitted curve from its contour; auto: from the spacing and the noise.
+        tolerance: Auto<f64> = Auto::Auto, "unit of the input", ABOVE_0;
+        /// Mean distance up to which the outlines of neighbouring slices are the same; auto: from the noise.
+        same_spacings: Auto<f64> = Auto::Auto, "spacings", 0.0..=100.0;
+        /// Slices in a row that a contour may be missing from, where open ones show most of it.
+        missed: usize = 6, "slices", 0.0..=1000.0;
+    }
 }
 
 /// Which form of Gumhold's penalties is used.
@@ -123,7 +179,9 @@ pub enum Method {
     Segments,
 }
 
-value::choices! { Method { Penalty = "penalty", Projection = "projection", Segments = "segments" } }
+value::choices! {
+    Method { Penalty = "penalty" | "gumhold", Projection = "projection" | "tran", Segments = "segments" | "demarsin" }
+}
 
 /// Which form of Demarsin's pipeline is used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -10,7 +10,6 @@ mod contour;
 mod curves;
 mod frame;
 mod outline;
-mod params;
 mod result;
 mod slicing;
 mod stack;
@@ -21,8 +20,9 @@ use crate::error::Error;
 use crate::frame::{Frame, Localised};
 use crate::neighbors::Index;
 
+pub use crate::params::SectionParams;
+pub use crate::params::section::{Axis, Outline, Planes, Side};
 pub use frame::SliceFrame;
-pub use params::{Axis, Outline, Planes, SectionParams, Side};
 pub use result::{Contour, CurvePiece, CurveShape, Missing, Section, Sections};
 pub use stack::{Feature, Mirror, Repeat, Run, Stack, stack};
 
@@ -32,14 +32,14 @@ use surface::tiles::Tiles;
 /// Slices a cloud: one [`Section`] for each plane, in the order the planes were given or run along the axis.
 ///
 /// # Errors
-/// [`Error::Parameter`] for a value outside its range; what [`Frame::localise`] refuses.
+/// [`Error::Parameter`] for a value outside its range; those of [`Frame::localise`].
 pub fn section(cloud: &Cloud, params: &SectionParams) -> Result<Sections, Error> {
     params.check()?;
     let local = Frame::localise(cloud)?;
     Ok(sections(&local, &Index::build(&local.positions), params, &|_| ())?.0)
 }
 
-/// [`section`] and, with [`SectionParams::fit`], what [`stack`] says of the sections; else an empty stack. The share of
+/// [`section`] and, with [`SectionParams::fit`], the [`stack`] of the sections; else an empty stack. The share of
 /// the slices that are cut, 0 to 1, is told to `observe` as it grows.
 ///
 /// # Errors
@@ -53,7 +53,8 @@ pub fn section_observed(
     let local = Frame::localise(cloud)?;
     let index = Index::build(&local.positions);
     let (sections, tiles) = sections(&local, &index, params, observe)?;
-    let stack = if params.fit { stack::of(&local, &index, &tiles, &sections) } else { Stack::default() };
+    let stack =
+        if params.fit { stack::of(&local, &index, &tiles, &sections, params) } else { Stack::default() };
     Ok((sections, stack))
 }
 

@@ -7,5 +7,5 @@ mod work;
 
 pub use running::Running;
 pub use source::{Reading, Source};
-pub use tuning::Tuning;
+pub use tuning::{Settings, Tuning};
 pub use work::Work;

@@ -1,12 +1,19 @@
 //! Values of options that need parsing.
 
 use lineament::detect::baselines::Detector;
+use lineament::params::ParamValue;
 use lineament_io::Format;
 
 /// `KEY=VALUE`.
 pub fn setting(text: &str) -> Result<(String, String), String> {
     let (key, value) = text.split_once('=').ok_or("write KEY=VALUE, such as penalty.gamma=0.4")?;
     Ok((key.trim().into(), value.trim().into()))
+}
+
+/// A value of a parameter, whatever its range.
+pub fn parameter<T: ParamValue>(text: &str) -> Result<T, String> {
+    let any = f64::NEG_INFINITY..=f64::INFINITY;
+    T::parse(text).ok_or_else(|| format!("expected {}", T::accepts(&any)))
 }
 
 /// The name of a detector.

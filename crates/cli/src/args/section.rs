@@ -3,9 +3,11 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum, ValueHint};
-use lineament::section::{Axis, Outline, Planes, SectionParams, Side};
+use lineament::params::{Auto, ParamValue};
+use lineament::section::{Axis, Planes, SectionParams};
 
-use super::groups::{Running, Source};
+use super::groups::{Running, Settings, Source};
+use super::parse;
 
 const HELP: &str = "\
 How a slice is drawn:
@@ -47,13 +49,13 @@ pub struct Section {
     pub running: Running,
 }
 
-/// Where to cut and how to draw.
+/// Where to cut and how to draw: shorthands for parameters under `section.`, which go over a file and under --set.
 #[derive(Clone, Debug, Args)]
 pub struct Slicing {
     /// Across the slices: x, y, z, a vector X,Y,Z, `auto` (the axis that most of the surface stands along, lies across or is
     /// turned about; of several the one along which sections change least often, then the longest), `long` (the longest
     /// principal axis) or `thin` (the principal axis for which slices project thinnest) [default: z]
-    #[arg(long, value_parser = parse_axis, allow_hyphen_values = true)]
+    #[arg(long, value_parser = parse::parameter::<Axis>, allow_hyphen_values = true)]
     pub axis: Option<Axis>,
     /// Distance between slices, in the unit of the input
     #[arg(long, value_name = "S", group = "planes")]
@@ -73,17 +75,17 @@ pub struct Slicing {
     /// Start with this many slices, split them where neighbours differ and merge them where they are alike
     #[arg(long, value_name = "N", group = "planes")]
     pub adaptive: Option<usize>,
-    /// Thickness of a slab in the unit of the input, or `auto`: from the local spacing
-    #[arg(long, value_name = "T", value_parser = parse_auto)]
-    pub thickness: Option<Auto>,
-    /// How curves are taken from the points of a slab
+    /// Thickness of a slab in the unit of the input, or `auto`: from the local spacing [default: auto]
+    #[arg(long, value_name = "T", value_parser = parse::parameter::<Auto<f64>>)]
+    pub thickness: Option<Auto<f64>>,
+    /// How curves are taken from the points of a slab [default: middle]
     #[arg(long, value_enum)]
     pub outline: Option<OutlineName>,
     /// With the outline `voronoi`: how far empty circles may lie from the curve, as a multiple of how far its points do
-    /// (0.1 to 100); small for few vertices, large for many [default: 1]
+    /// (0.1 to 100); small for few vertices, large for many [default: 1.0]
     #[arg(long, value_name = "FACTOR")]
     pub circle_bound: Option<f64>,
-    /// Which side of a thick band of points the curves follow
+    /// Which side of a thick band of points the curves follow [default: mid]
     #[arg(long, value_enum)]
     pub side: Option<SideName>,
     /// Project points straight onto the plane instead of carrying them along the surface
@@ -92,18 +94,11 @@ pub struct Slicing {
     /// Fit lines, arcs, circles and splines, and name what the stack of slices shows
     #[arg(long)]
     pub fit: bool,
-    /// Greatest distance of a fitted curve from its contour, in the unit of the input; implies --fit
+    /// Greatest distance of a fitted curve from its contour, in the unit of the input; implies --fit [default: auto]
     #[arg(long, value_name = "LENGTH")]
     pub tolerance: Option<f64>,
-}
-
-/// A length, or the one that follows from the data.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Auto {
-    /// From the data.
-    Auto,
-    /// Given.
-    Length(f64),
+    #[command(flatten)]
+    pub settings: Settings,
 }
 
 /// Names of [`Outline`].
@@ -129,81 +124,45 @@ pub enum SideName {
 }
 
 impl Slicing {
-    /// The parameters that these arguments change from their defaults.
-    pub fn params(&self) -> SectionParams {
-        let standard = SectionParams::default();
-        let planes = match (self.every, self.count, &self.at, self.adaptive) {
-            (Some(step), ..) => Planes::Every(step),
-            (_, Some(count), ..) => Planes::Count(count),
-            (_, _, Some(at), _) => Planes::At(at.clone()),
-            (.., Some(start)) => Planes::Adaptive { start, most: start.saturating_mul(8) },
-            _ => standard.planes.clone(),
-        };
-        SectionParams {
-            axis: self.axis.unwrap_or(standard.axis),
-            planes,
-            thickness: match self.thickness {
-                Some(Auto::Length(t)) => Some(t),
-                _ => None,
-            },
-            carry: !self.no_carry,
-            outline: match self.outline {
-                Some(OutlineName::Middle) => Outline::Middle,
-                Some(OutlineName::Hull) => Outline::Hull,
-                Some(OutlineName::Voronoi) => Outline::Voronoi,
-                None => standard.outline,
-            },
-            side: match self.side {
-                Some(SideName::Mid) => Side::Middle,
-                Some(SideName::Out) => Side::Outside,
-                Some(SideName::In) => Side::Inside,
-                None => standard.side,
-            },
-            circle_bound: self.circle_bound.unwrap_or(standard.circle_bound),
-            fit: self.fit || self.tolerance.is_some(),
-            tolerance: self.tolerance,
-            ..standard
-        }
+    /// Sets the parameters that these arguments name.
+    pub fn set(&self, params: &mut SectionParams) {
+        let planes = [
+            self.every.map(Planes::Every),
+            self.count.map(Planes::Count),
+            self.at.clone().map(Planes::At),
+            self.adaptive.map(Planes::adaptive),
+        ];
+        put(&mut params.axis, self.axis);
+        put(&mut params.planes, planes.into_iter().flatten().next());
+        put(&mut params.thickness, self.thickness);
+        put(&mut params.carry, self.no_carry.then_some(false));
+        put(&mut params.outline, self.outline.and_then(named));
+        put(&mut params.circle_bound, self.circle_bound);
+        put(&mut params.side, self.side.and_then(named));
+        put(&mut params.fit, (self.fit || self.tolerance.is_some()).then_some(true));
+        put(&mut params.tolerance, self.tolerance.map(Auto::Given));
     }
 }
 
-fn parse_axis(text: &str) -> Result<Axis, String> {
-    match text {
-        "x" => return Ok(Axis::Coordinate(0)),
-        "y" => return Ok(Axis::Coordinate(1)),
-        "z" => return Ok(Axis::Coordinate(2)),
-        "auto" => return Ok(Axis::Faces),
-        "long" => return Ok(Axis::Principal),
-        "thin" => return Ok(Axis::Thinnest),
-        _ => {}
-    }
-    let parts: Option<Vec<f64>> = text.split(',').map(|t| t.trim().parse().ok()).collect();
-    match parts.as_deref() {
-        Some(&[x, y, z]) => Ok(Axis::Vector([x, y, z])),
-        _ => Err("write x, y, z, auto, long, thin or a vector X,Y,Z such as 1,0,1".into()),
+fn put<T>(parameter: &mut T, given: Option<T>) {
+    if let Some(value) = given {
+        *parameter = value;
     }
 }
 
-fn parse_auto(text: &str) -> Result<Auto, String> {
-    match (text, text.parse()) {
-        ("auto", _) => Ok(Auto::Auto),
-        (_, Ok(length)) => Ok(Auto::Length(length)),
-        _ => Err("write a length in the unit of the input, or auto".into()),
-    }
+/// The value that has the name of a choice.
+fn named<T: ParamValue>(choice: impl ValueEnum) -> Option<T> {
+    choice.to_possible_value().and_then(|value| T::parse(value.get_name()))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use lineament::section::{Outline, Side};
 
     #[test]
-    fn axes_are_letters_words_or_vectors() {
-        assert_eq!(parse_axis("y"), Ok(Axis::Coordinate(1)));
-        assert_eq!(parse_axis("auto"), Ok(Axis::Faces));
-        assert_eq!(parse_axis("long"), Ok(Axis::Principal));
-        assert_eq!(parse_axis("0, -1,2.5"), Ok(Axis::Vector([0.0, -1.0, 2.5])));
-        for bad in ["w", "1,2", "1,2,3,4", ""] {
-            assert!(parse_axis(bad).is_err(), "{bad}");
-        }
+    fn every_choice_is_a_value_of_its_parameter() {
+        assert!(OutlineName::value_variants().iter().all(|&v| named::<Outline>(v).is_some()));
+        assert!(SideName::value_variants().iter().all(|&v| named::<Side>(v).is_some()));
     }
 }

@@ -6,7 +6,7 @@ use std::time::Instant;
 use lineament::section::SectionParams;
 use lineament_io::{SectionContext, SectionFormat, section_format, write_sections};
 
-use super::slicing::{HEADER, checked, cut, row, said};
+use super::slicing::{HEADER, cut, row, said};
 use crate::args::Section;
 use crate::batch::{self, Done};
 use crate::failure::Failure;
@@ -22,7 +22,7 @@ pub fn run(args: &Section) -> Result<(), Failure> {
         return source::print_list();
     }
     config::threads(&args.running)?;
-    let params = checked(&args.slicing)?;
+    let params = config::section(&args.slicing)?;
     let origins = source::origins(&args.source)?;
     let inputs = source::files(&origins);
     let plan = outputs::plan(&origins, &args.output, &SUFFIXES)?;

@@ -6,7 +6,7 @@ use std::time::Instant;
 use lineament::section::{SectionParams, Stack};
 use lineament_io::write_slice_picture;
 
-use super::slicing::{HEADER, checked, cut, row, said};
+use super::slicing::{HEADER, cut, row, said};
 use crate::args::Slices;
 use crate::batch::{self, Done};
 use crate::failure::Failure;
@@ -19,7 +19,7 @@ pub fn run(args: &Slices) -> Result<(), Failure> {
         return source::print_list();
     }
     config::threads(&args.running)?;
-    let params = SectionParams { fit: false, ..checked(&args.slicing)? };
+    let params = SectionParams { fit: false, ..config::section(&args.slicing)? };
     let origins = source::origins(&args.source)?;
     let inputs = source::files(&origins);
     batch::run(&HEADER, &origins, &args.running, |_, origin| {

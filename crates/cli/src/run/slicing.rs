@@ -5,19 +5,13 @@ use std::time::Instant;
 use lineament::section::{Feature, SectionParams, Sections, Stack};
 use lineament_io::ReadOptions;
 
-use crate::args::{Running, Slicing, Source};
+use crate::args::{Running, Source};
 use crate::failure::Failure;
 use crate::source::{Input, Origin};
 use crate::{progress, summary};
 
 /// Heads of the table of many inputs.
 pub const HEADER: [&str; 6] = ["input", "points", "slices", "contours", "closed", "seconds"];
-
-pub fn checked(slicing: &Slicing) -> Result<SectionParams, Failure> {
-    let params = slicing.params();
-    params.check()?;
-    Ok(params)
-}
 
 pub fn cut(
     source: &Source,

@@ -63,3 +63,64 @@ fn what_cannot_be_is_refused_with_its_exit_code() {
         assert_eq!(sandbox.files(), ["a.xyz"], "{args:?}");
     }
 }
+
+/// What a command line writes for a noisy sphere, as JSON.
+fn cut(options: &[&str]) -> Vec<u8> {
+    let sandbox = Sandbox::new();
+    sandbox.write("hull.toml", "section.outline = \"hull\"\n");
+    let mut args = vec!["section", "--sample", "sphere", "-o", "a.json"];
+    args.extend(options);
+    sandbox.run(&args).expect(0);
+    sandbox.read("a.json")
+}
+
+#[test]
+fn options_are_shorthands_for_keys_of_the_table() {
+    let standard = cut(&[]);
+    let pairs: &[(&[&str], &[&str])] = &[
+        (&["--axis", "x"], &["axis=x"]),
+        (&["--axis", "1,0,1"], &["axis=1,0,1"]),
+        (&["--count", "3"], &["planes=count:3"]),
+        (&["--every", "0.3"], &["planes=every:0.3"]),
+        (&["--at=0.1,-0.2"], &["planes=at:0.1,-0.2"]),
+        (&["--adaptive", "3"], &["planes=adaptive:3"]),
+        (&["--thickness", "0.02"], &["thickness=0.02"]),
+        (&["--no-carry"], &["carry=false"]),
+        (&["--params", "hull.toml"], &["outline=hull"]),
+        (&["--outline", "hull"], &["outline=hull"]),
+        (&["--outline", "voronoi", "--circle-bound", "0.3"], &["outline=voronoi", "circle_bound=0.3"]),
+        (&["--side", "out"], &["side=out"]),
+        (&["--fit"], &["fit=true"]),
+        (&["--tolerance", "0.05"], &["fit=true", "tolerance=0.05"]),
+    ];
+    for (options, keys) in pairs {
+        let typed = cut(options);
+        let keys: Vec<String> = keys.iter().map(|key| format!("section.{key}")).collect();
+        let set: Vec<&str> = keys.iter().flat_map(|key| ["--set", key.as_str()]).collect();
+        assert!(typed == cut(&set), "{options:?} and {set:?}");
+        assert!(typed != standard, "{options:?} change nothing");
+    }
+}
+
+#[test]
+fn the_defaults_in_the_help_are_those_of_the_table() {
+    let help = Sandbox::new().run(&["section", "--help"]).expect(0).text();
+    let entries = lineament::Params::default().entries();
+    let options = ["axis", "thickness", "outline", "circle-bound", "side", "tolerance"]
+        .map(|o| (o, o.replace('-', "_"), ""));
+    for (option, key, prefix) in options.into_iter().chain([("count", "planes".into(), "count:")]) {
+        let key = format!("section.{key}");
+        let default = &entries.iter().find(|e| e.key == key).unwrap().default;
+        let about = help.split(&format!("--{option} <")).nth(1).unwrap();
+        let about =
+            about.split("\n      --").next().unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(about.contains(&format!("[default: {}]", default.strip_prefix(prefix).unwrap())), "{about}");
+    }
+}
+
+#[test]
+fn set_goes_over_the_options_and_these_over_the_file() {
+    assert!(cut(&["--params", "hull.toml", "--outline", "middle"]) == cut(&[]));
+    let set = cut(&["--outline", "hull", "--set", "section.outline=voronoi"]);
+    assert!(set == cut(&["--outline", "voronoi"]));
+}

@@ -1,15 +1,15 @@
-//! B-spline curves in space, clamped or periodic.
+//! B-spline curves, clamped or periodic.
 
-/// A B-spline curve in space, clamped or periodic, of degree 1 to 3.
+/// A B-spline curve in space, or in `D` dimensions, clamped or periodic, of degree 1 to 3.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct BSpline {
+pub struct BSpline<const D: usize = 3> {
     /// Polynomial degree; 3 unless the strip is too short for it.
     pub degree: usize,
     /// Non-decreasing knots on the chord-length parameter. Clamped: `controls.len() + degree + 1` of them, the
     /// first and last `degree + 1` equal. Periodic: `controls.len() + 1` of them, one period.
     pub knots: Vec<f64>,
-    /// `(C, 3)` control points.
-    pub controls: Vec<[f64; 3]>,
+    /// `(C, D)` control points.
+    pub controls: Vec<[f64; D]>,
     /// Whether the curve closes smoothly on itself.
     pub periodic: bool,
 }
@@ -17,13 +17,13 @@ pub struct BSpline {
 /// The greatest degree.
 pub(super) const MAX_DEGREE: usize = 3;
 
-impl BSpline {
-    /// A clamped curve's knots: `spans` equal ones over `[0, length]`.
-    pub(super) fn clamped_knots(degree: usize, spans: usize, length: f64) -> Vec<f64> {
-        let inner = (0..=spans).map(|i| length * (i as f64 / spans as f64));
-        std::iter::repeat_n(0.0, degree).chain(inner).chain(std::iter::repeat_n(length, degree)).collect()
-    }
+/// A clamped curve's knots: `spans` equal ones over `[0, length]`.
+pub(super) fn clamped_knots(degree: usize, spans: usize, length: f64) -> Vec<f64> {
+    let inner = (0..=spans).map(|i| length * (i as f64 / spans as f64));
+    std::iter::repeat_n(0.0, degree).chain(inner).chain(std::iter::repeat_n(length, degree)).collect()
+}
 
+impl<const D: usize> BSpline<D> {
     /// The parameters at which the curve begins and ends (closes, if periodic).
     pub fn domain(&self) -> (f64, f64) {
         if self.periodic {
@@ -34,9 +34,9 @@ impl BSpline {
     }
 
     /// The point at parameter `t`, clamped to the domain or wrapped into the period.
-    pub fn point(&self, t: f64) -> [f64; 3] {
+    pub fn point(&self, t: f64) -> [f64; D] {
         let (controls, weights) = self.basis(t);
-        let mut p = [0.0; 3];
+        let mut p = [0.0; D];
         for (i, w) in controls.into_iter().zip(weights).take(self.degree + 1) {
             for (x, c) in p.iter_mut().zip(self.controls[i]) {
                 *x += w * c;
@@ -96,7 +96,7 @@ impl BSpline {
     }
 
     /// The curve with every control point mapped by an affine `map` and its parameter scaled by `scale`.
-    pub fn mapped(&self, map: impl Fn([f64; 3]) -> [f64; 3], scale: f64) -> BSpline {
+    pub fn mapped<const E: usize>(&self, map: impl Fn([f64; D]) -> [f64; E], scale: f64) -> BSpline<E> {
         BSpline {
             degree: self.degree,
             knots: self.knots.iter().map(|k| k * scale).collect(),
@@ -113,8 +113,7 @@ mod tests {
     #[test]
     fn weights_are_a_partition_of_one_and_ends_are_the_end_controls() {
         let controls: Vec<[f64; 3]> = (0..7).map(|i| [i as f64, (i * i) as f64, 1.0]).collect();
-        let curve =
-            BSpline { degree: 3, knots: BSpline::clamped_knots(3, 4, 8.0), controls, periodic: false };
+        let curve = BSpline { degree: 3, knots: clamped_knots(3, 4, 8.0), controls, periodic: false };
         for i in 0..=80 {
             let sum: f64 = curve.basis(i as f64 * 0.1).1.iter().sum();
             assert!((sum - 1.0).abs() < 1e-14);

@@ -3,9 +3,9 @@
 //! To the squared distances is added a small multiple of the squared second differences of the control points, which keeps
 //! spans without data determined and the curve calm between noisy points.
 
-use super::bspline::BSpline;
+use super::bspline::{BSpline, clamped_knots};
+use super::rows::{add_row, chord_lengths, terms};
 use crate::math::skyline::Skyline;
-use crate::math::vec3::{distance, scale, sub};
 
 /// How a curve is fitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,20 +22,20 @@ pub struct FitOptions {
 ///
 /// Returns the curve and the parameter of each point. The degree falls below 3 only for fewer than four points. All points
 /// must not coincide; fewer than two (three if closed) give a degenerate curve of equal controls.
-pub fn fit(points: &[[f64; 3]], options: FitOptions) -> (BSpline, Vec<f64>) {
+pub fn fit<const D: usize>(points: &[[f64; D]], options: FitOptions) -> (BSpline<D>, Vec<f64>) {
     let (parameters, length) = chord_lengths(points, options.closed);
     let spans = ((length / options.span).round() as usize).clamp(1, points.len().max(2) - 1);
     let mut curve = if options.closed {
         let spans = spans.max(4);
         let knots = (0..=spans).map(|i| length * (i as f64 / spans as f64)).collect();
-        BSpline { degree: 3, knots, controls: vec![[0.0; 3]; spans], periodic: true }
+        BSpline { degree: 3, knots, controls: vec![[0.0; D]; spans], periodic: true }
     } else {
         let degree = (points.len().saturating_sub(1)).clamp(1, 3);
-        let knots = BSpline::clamped_knots(degree, spans, length);
-        BSpline { degree, knots, controls: vec![[0.0; 3]; spans + degree], periodic: false }
+        let knots = clamped_knots(degree, spans, length);
+        BSpline { degree, knots, controls: vec![[0.0; D]; spans + degree], periodic: false }
     };
     let (held, ends) = held_ends(points, &curve);
-    let (mut matrix, mut right) = normal_equations(points, &parameters, &curve, options.smoothing, &ends);
+    let (mut matrix, mut right) = normal_equations(points, &parameters, &curve, options.smoothing, ends);
     if matrix.factorise() {
         matrix.solve(&mut right);
         curve.controls[held..held + right.len()].copy_from_slice(&right);
@@ -53,76 +53,67 @@ pub fn fit(points: &[[f64; 3]], options: FitOptions) -> (BSpline, Vec<f64>) {
 }
 
 /// The number of control points held at each end, and the positions that they are held at.
-fn held_ends(points: &[[f64; 3]], curve: &BSpline) -> (usize, Option<[[f64; 3]; 2]>) {
+fn held_ends<const D: usize>(points: &[[f64; D]], curve: &BSpline<D>) -> (usize, Option<[[f64; D]; 2]>) {
     match (curve.periodic, points.first(), points.last()) {
         (false, Some(&first), Some(&last)) => (1, Some([first, last])),
         _ => (0, None),
     }
 }
 
-/// Chord-length parameters from zero, and the whole length.
-fn chord_lengths(points: &[[f64; 3]], closed: bool) -> (Vec<f64>, f64) {
-    let mut length = 0.0;
-    let mut parameters = Vec::with_capacity(points.len());
-    for (i, &p) in points.iter().enumerate() {
-        if i > 0 {
-            length += distance(points[i - 1], p);
-        }
-        parameters.push(length);
-    }
-    if let (true, Some(&first), Some(&last)) = (closed, points.first(), points.last()) {
-        length += distance(first, last);
-    }
-    (parameters, length)
-}
-
 /// The normal equations for the free control points.
-fn normal_equations(
-    points: &[[f64; 3]],
+fn normal_equations<const D: usize>(
+    points: &[[f64; D]],
     parameters: &[f64],
-    curve: &BSpline,
+    curve: &BSpline<D>,
     smoothing: f64,
-    ends: &Option<[[f64; 3]; 2]>,
-) -> (Skyline, Vec<[f64; 3]>) {
+    ends: Option<[[f64; D]; 2]>,
+) -> (Skyline, Vec<[f64; D]>) {
     let count = curve.controls.len();
     let free = if ends.is_some() { count - 2 } else { count };
     let mut matrix = Skyline::zeros(profile(free, curve.periodic));
-    let mut right = vec![[0.0; 3]; free];
-    let mut row = |terms: &[(usize, f64)], target: [f64; 3], weight: f64| {
-        let mut target = target;
-        for &(c, w) in terms {
-            if let Some(held) = held_position(c, count, ends) {
-                target = sub(target, scale(held, w));
-            }
-        }
-        for (n, &(a, wa)) in terms.iter().enumerate() {
-            let Some(i) = free_index(a, count, ends) else { continue };
-            for (x, t) in right[i].iter_mut().zip(target) {
-                *x += weight * wa * t;
-            }
-            for &(b, wb) in &terms[n..] {
-                let Some(j) = free_index(b, count, ends) else { continue };
-                matrix.add(i, j, weight * wa * wb);
-            }
-        }
+    let mut right = vec![[0.0; D]; free];
+    let mut row = |terms: &[(usize, f64)], target: [f64; D], weight: f64| {
+        let (terms, target) = freed(terms, target, count, ends);
+        add_row(&terms, target, weight, &mut right, |i, j, x| matrix.add(i, j, x));
     };
     for (&p, &t) in points.iter().zip(parameters) {
-        let (controls, weights) = curve.basis(t);
-        let terms: Vec<(usize, f64)> = controls.into_iter().zip(weights).take(curve.degree + 1).collect();
-        row(&terms, p, 1.0);
+        row(&terms(curve, t)[..=curve.degree], p, 1.0);
     }
     let differences = if curve.periodic { count } else { count.saturating_sub(2) };
     for i in 0..differences {
         let [first, second] = slopes(curve, i);
         let terms = [(i, first), ((i + 1) % count, -(first + second)), ((i + 2) % count, second)];
-        row(&terms, [0.0; 3], smoothing);
+        row(&terms, [0.0; D], smoothing);
     }
     (matrix, right)
 }
 
-/// What the differences of control points `i`, `i + 1` and `i + 1`, `i + 2` count in a second difference: the inverse of their
-/// distance in parameter, relative to a span, so that the controls of a straight line have none.
-fn slopes(curve: &BSpline, i: usize) -> [f64; 2] {
+/// A row over the free control points alone: those that are held go to the other side.
+fn freed<const D: usize>(
+    terms: &[(usize, f64)],
+    mut target: [f64; D],
+    count: usize,
+    ends: Option<[[f64; D]; 2]>,
+) -> (Vec<(usize, f64)>, [f64; D]) {
+    let Some([first, last]) = ends else { return (terms.to_vec(), target) };
+    let mut free = Vec::with_capacity(terms.len());
+    for &(control, weight) in terms {
+        let held = match control {
+            0 => first,
+            c if c == count - 1 => last,
+            c => {
+                free.push((c - 1, weight));
+                continue;
+            }
+        };
+        target.iter_mut().zip(held).for_each(|(x, h)| *x -= h * weight);
+    }
+    (free, target)
+}
+
+/// Weights of the differences of control points `i`, `i + 1` and `i + 1`, `i + 2` in a second difference: the inverse of their
+/// distance in parameter, relative to a span, so that the second difference of evenly running controls is 0.
+fn slopes<const D: usize>(curve: &BSpline<D>, i: usize) -> [f64; 2] {
     if curve.periodic {
         return [1.0; 2];
     }
@@ -138,33 +129,18 @@ fn profile(free: usize, periodic: bool) -> Vec<usize> {
     (0..free).map(|i| if periodic && i + 3 >= free { 0 } else { i.saturating_sub(3) }).collect()
 }
 
-fn held_position(control: usize, count: usize, ends: &Option<[[f64; 3]; 2]>) -> Option<[f64; 3]> {
-    match (ends, control) {
-        (Some(e), 0) => Some(e[0]),
-        (Some(e), c) if c == count - 1 => Some(e[1]),
-        _ => None,
-    }
-}
-
-fn free_index(control: usize, count: usize, ends: &Option<[[f64; 3]; 2]>) -> Option<usize> {
-    match ends {
-        None => Some(control),
-        Some(_) if control == 0 || control == count - 1 => None,
-        Some(_) => Some(control - 1),
-    }
-}
-
 /// Control points on the polyline of the data, for systems that rounding makes singular.
-fn polygon(points: &[[f64; 3]], curve: &mut BSpline) {
+fn polygon<const D: usize>(points: &[[f64; D]], curve: &mut BSpline<D>) {
     let last = curve.controls.len().max(2) - 1;
     for (i, c) in curve.controls.iter_mut().enumerate() {
-        *c = points.get(i * points.len().saturating_sub(1) / last).copied().unwrap_or([0.0; 3]);
+        *c = points.get(i * points.len().saturating_sub(1) / last).copied().unwrap_or([0.0; D]);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::vec3::distance;
 
     #[test]
     fn a_circle_of_points_gives_a_circle() {

@@ -3,6 +3,9 @@
 use crate::math::trees::kd::Tree;
 use crate::math::vec2::{along, distance, onto, sub};
 
+/// Most pieces of one segment.
+const MOST_PIECES: f64 = 10_000.0;
+
 /// A polyline with its vertices under a tree.
 #[derive(Clone, Debug)]
 pub(crate) struct Polyline {
@@ -81,9 +84,6 @@ impl Polyline {
         if count > 0.0 { sum / count } else { 0.0 }
     }
 }
-
-/// Most pieces of one segment.
-const MOST_PIECES: f64 = 10_000.0;
 
 #[cfg(test)]
 mod tests {

@@ -3,11 +3,11 @@
 /// Steps in a unit: numbers closer than that count as equal.
 const STEPS: f64 = 1024.0;
 /// Numbers above this are not told apart.
-const MOST: usize = 16;
+const GREATEST: usize = 16;
 
 /// The indices of numbers that are not negative, ascending by their values to a thousandth, equal ones as they come.
 pub(crate) fn ascending(numbers: &[f64]) -> Vec<u32> {
-    let step = |&x: &f64| ((x * STEPS) as usize).min(MOST * STEPS as usize) as u32;
+    let step = |&x: &f64| ((x * STEPS) as usize).min(GREATEST * STEPS as usize) as u32;
     let steps: Vec<u32> = numbers.iter().map(step).collect();
     dealt(&steps).0
 }

@@ -71,8 +71,8 @@ impl Skyline {
         a.iter().zip(b).map(|(x, y)| x * y).sum()
     }
 
-    /// Solves with the factor for one right-hand side of three columns, in place.
-    pub fn solve(&self, b: &mut [[f64; 3]]) {
+    /// Solves with the factor for one right-hand side of `D` columns, in place.
+    pub fn solve<const D: usize>(&self, b: &mut [[f64; D]]) {
         for i in 0..self.len() {
             let mut x = b[i];
             for j in self.first[i]..i {

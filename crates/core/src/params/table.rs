@@ -13,7 +13,7 @@ pub struct Entry {
     pub unit: &'static str,
     /// The values accepted, in words.
     pub accepts: String,
-    /// What it is.
+    /// Its meaning.
     pub doc: &'static str,
 }
 
@@ -47,6 +47,23 @@ macro_rules! sections {
             impl Default for $type {
                 fn default() -> Self {
                     Self { $( $field: $default, )+ }
+                }
+            }
+
+            impl $type {
+                /// Checks every value against its range.
+                ///
+                /// # Errors
+                /// [`Error::Parameter`] for the first value outside its range.
+                pub fn check(&self) -> Result<(), Error> {
+                    $(
+                        $crate::params::table::check(
+                            concat!(stringify!($section), ".", stringify!($field)),
+                            &self.$field,
+                            &$range,
+                        )?;
+                    )+
+                    Ok(())
                 }
             }
         )+
@@ -109,13 +126,7 @@ macro_rules! sections {
             /// # Errors
             /// [`Error::Parameter`] for the first value outside its range.
             pub fn check(&self) -> Result<(), Error> {
-                $( $(
-                    $crate::params::table::check(
-                        concat!(stringify!($section), ".", stringify!($field)),
-                        &self.$section.$field,
-                        &$range,
-                    )?;
-                )+ )+
+                $( self.$section.check()?; )+
                 Ok(())
             }
         }
@@ -137,6 +148,13 @@ pub(super) fn read<T: ParamValue>(key: &str, text: &str, range: &RangeInclusive<
 
 /// Holds one value against its range.
 pub(super) fn check<T: ParamValue>(key: &str, value: &T, range: &RangeInclusive<f64>) -> Result<(), Error> {
+    if let Some(expected) = value.fault() {
+        return Err(Error::Parameter {
+            key: key.into(),
+            value: value.show(),
+            expected: format!("expected {expected}"),
+        });
+    }
     match value.number() {
         Some(x) if !range.contains(&x) => {
             Err(Error::Parameter { key: key.into(), value: value.show(), expected: expect::<T>(range) })

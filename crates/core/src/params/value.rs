@@ -10,7 +10,7 @@ pub enum Auto<T> {
 }
 
 impl<T: Copy> Auto<T> {
-    /// The given value, or what `derive` says.
+    /// The given value, or that of `derive`.
     pub fn or(self, derive: impl FnOnce() -> T) -> T {
         match self {
             Auto::Auto => derive(),
@@ -27,9 +27,16 @@ pub trait ParamValue: Sized {
     fn show(&self) -> String;
     /// The number to hold against the range; `None` when there is none to hold.
     fn number(&self) -> Option<f64>;
-    /// What values there are, given the numeric range.
+    /// The values accepted, in words, given the numeric range.
     fn accepts(range: &std::ops::RangeInclusive<f64>) -> String;
+    /// For a value that is refused whatever the range: the values expected instead.
+    fn fault(&self) -> Option<&'static str> {
+        None
+    }
 }
+
+/// The range of lengths that may be anything above 0.
+pub(crate) const ABOVE_0: std::ops::RangeInclusive<f64> = f64::MIN_POSITIVE..=f64::MAX;
 
 impl ParamValue for usize {
     fn parse(text: &str) -> Option<Self> {
@@ -57,6 +64,9 @@ impl ParamValue for f64 {
         Some(*self)
     }
     fn accepts(range: &std::ops::RangeInclusive<f64>) -> String {
+        if *range == ABOVE_0 {
+            return "a number above 0".into();
+        }
         format!("a number from {} to {}", range.start(), range.end())
     }
 }
@@ -97,13 +107,13 @@ impl<T: ParamValue> ParamValue for Auto<T> {
     }
 }
 
-/// Implements [`ParamValue`] for an enum of named choices.
+/// Implements [`ParamValue`] for an enum of named choices; names after a bar are read as well.
 macro_rules! choices {
-    ($type:ident { $($variant:ident = $name:literal),+ }) => {
+    ($type:ident { $($variant:ident = $name:literal $(| $alias:literal)*),+ }) => {
         impl $crate::params::ParamValue for $type {
             fn parse(text: &str) -> Option<Self> {
                 match text {
-                    $($name => Some($type::$variant),)+
+                    $($name $(| $alias)* => Some($type::$variant),)+
                     _ => None,
                 }
             }
@@ -116,7 +126,7 @@ macro_rules! choices {
                 None
             }
             fn accepts(_: &std::ops::RangeInclusive<f64>) -> String {
-                concat!("one of", $(" ", $name),+).into()
+                concat!("one of", $(" ", $name, $(" (", $alias, ")",)*)+).into()
             }
         }
     };

@@ -1,16 +1,15 @@
 //! Contours as lines, arcs, circles and splines within a tolerance, corners kept.
 //!
-//! Each stretch between corners is cut into lines and arcs (`greedy`); what neither describes is left to splines.
+//! Each stretch between corners is cut into lines and arcs (`greedy`); splines follow the rest.
 
 pub(crate) mod greedy;
 pub(crate) mod nest;
-pub(crate) mod spline;
 
 use crate::curve::circle::Circle;
+use crate::curve::{BSpline, fit_within};
 use crate::math::vec2::{along, distance, meet, onto, sub};
 use crate::section::contour::chain::Vertex;
 use greedy::{ARC_VERTICES, Kind, Stretch, cut, longest, sweep};
-use spline::Spline;
 
 /// A piece of a contour in the slicing plane.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,13 +21,13 @@ pub(crate) enum Shape {
     /// A whole circle.
     Circle { centre: [f64; 2], radius: f64 },
     /// Anything else.
-    Free(Spline),
+    Free(BSpline<2>),
 }
 
 /// A fitted piece.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Piece {
-    /// What it is.
+    /// Its kind with its parameters.
     pub shape: Shape,
     /// Where it begins; the next piece begins where it ends.
     pub from: [f64; 2],
@@ -140,7 +139,7 @@ fn shape(points: &[[f64; 2]], own: &Stretch, from: [f64; 2], to: [f64; 2], toler
         Kind::Free => {
             let mut ends = points.to_vec();
             (ends[0], ends[points.len() - 1]) = (from, to);
-            match spline::fit(&ends, tolerance) {
+            match fit_within(&ends, tolerance) {
                 Some((spline, worst)) => Piece { shape: Shape::Free(spline), from, to, worst },
                 None => piece(Shape::Line, &|p| onto(from, to, p).1),
             }

@@ -1,7 +1,7 @@
 //! The frame of the slices.
 
-use super::params::Axis;
 use crate::math::vec3;
+use crate::params::section::Axis;
 
 /// A right-handed frame whose third axis points across the slices.
 #[derive(Clone, Copy, Debug, PartialEq)]

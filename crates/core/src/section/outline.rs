@@ -12,13 +12,14 @@ pub(crate) mod voronoi;
 
 use crate::math::trees::packed::Packed;
 use crate::math::vec2::distance;
+use crate::params::section::{Outline, Side};
+use crate::params::{Auto, SectionParams};
 use crate::section::contour::assign::assign;
 use crate::section::contour::band::{Band, Growth};
 use crate::section::contour::bridge::Support;
 use crate::section::contour::chain::Chain;
 use crate::section::contour::tidy::tidy;
 use crate::section::contour::{join, link, node};
-use crate::section::params::{Outline, SectionParams, Side};
 use crate::section::surface::carry::Sample;
 use crate::section::surface::texture::Texture;
 use side::shifted;
@@ -35,16 +36,18 @@ pub(crate) struct Drawn {
 pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Texture) -> Vec<Drawn> {
     let feet: Vec<[f64; 2]> = samples.iter().map(|s| s.foot).collect();
     let tree = Packed::new(&feet);
-    let support = Support { samples, tree: &tree };
+    let support = Support { samples, tree: &tree, longest: params.bridge_spacings };
     let nodes = node::nodes(samples, &tree);
-    let chains = link::chains(&nodes);
-    let chains = join::joined(chains, &[], &support).into_iter().map(tidy).collect();
+    let chains = link::chains(&nodes, params.link_spacings);
+    let chains = join::joined(chains, &[], &support, params.stray_spacings).into_iter().map(tidy).collect();
     let mut free = vec![true; samples.len()];
     let mut bands = assign(samples, &nodes.owners, &free, chains);
-    let middle = |b: &Band| tidy(middle::middle(b, texture.noise));
+    let middle = |b: &Band| tidy(middle::middle(b, texture.noise, params.corner_deg));
     let mut lines: Vec<Chain> = bands.iter().map(middle).collect();
     if !lines.iter().all(|c| c.closed) {
-        again(&support, &nodes.owners, &mut free, &mut bands, &mut lines, middle);
+        let join =
+            |open: Vec<Chain>, lines: &[Chain]| join::joined(open, lines, &support, params.stray_spacings);
+        again(samples, &nodes.owners, &mut free, &mut bands, &mut lines, (join, middle));
     }
     if params.outline == Outline::Middle && params.side == Side::Middle {
         return drawn(&bands, lines);
@@ -58,18 +61,18 @@ pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Tex
 /// Draws the contours that are open once more, through the samples that no closed one has: smooth ends look the right
 /// way, and may now meet; and samples go to smooth contours, not to chains of nodes.
 fn again(
-    support: &Support,
+    samples: &[Sample],
     owners: &[u32],
     free: &mut [bool],
     bands: &mut Vec<Band>,
     lines: &mut Vec<Chain>,
-    middle: impl Fn(&Band) -> Chain,
+    (join, middle): (impl Fn(Vec<Chain>, &[Chain]) -> Vec<Chain>, impl Fn(&Band) -> Chain),
 ) {
     let (settled, open): (Vec<_>, Vec<_>) = bands.drain(..).zip(lines.drain(..)).partition(|(_, c)| c.closed);
     (*bands, *lines) = settled.into_iter().unzip();
     bands.iter().flat_map(|b| &b.marks).for_each(|m| free[m.source as usize] = false);
     let open = open.into_iter().map(|(_, line)| line).filter(drawable).collect();
-    let redrawn = assign(support.samples, owners, free, join::joined(open, lines, support));
+    let redrawn = assign(samples, owners, free, join(open, lines));
     lines.extend(redrawn.iter().map(middle));
     bands.extend(redrawn);
 }
@@ -86,7 +89,7 @@ fn drawn(bands: &[Band], chains: Vec<Chain>) -> Vec<Drawn> {
 }
 
 fn outline(band: &Band, params: &SectionParams) -> Chain {
-    let threshold = threshold(band);
+    let threshold = threshold(band, params.region_spacings);
     let features = match params.outline {
         Outline::Middle => None,
         Outline::Hull => Some(hull::features(band, threshold)),
@@ -95,18 +98,22 @@ fn outline(band: &Band, params: &SectionParams) -> Chain {
     let chain = features.map_or_else(|| band.chain.clone(), |f| knots::polyline(band, &f));
     match params.side {
         Side::Middle => chain,
-        Side::Outside => shifted(band, chain, 1.0),
-        Side::Inside => shifted(band, chain, -1.0),
+        Side::Outside => shifted(band, chain, 1.0, params.beyond),
+        Side::Inside => shifted(band, chain, -1.0, params.beyond),
     }
 }
 
-/// How far a region's points may lie from its chord on average: what the band's own thickness gives, be it from the
-/// noise or from the slab, and a little for the bend within a chord.
-fn threshold(band: &Band) -> f64 {
+/// How far a region's points may lie from its chord on average (the paper's e): as given, or twice the band's own
+/// thickness, from noise or from the slab, and a little for the bend within a chord.
+fn threshold(band: &Band, given: Auto<f64>) -> f64 {
     let (mut sum, mut spacing) = (0.0, 0.0);
     for mark in &band.marks {
         sum += distance(band.at(mark.arc), mark.raw);
         spacing += mark.spacing;
     }
-    (2.0 * sum + 0.05 * spacing) / band.marks.len().max(1) as f64
+    let all = match given {
+        Auto::Given(spacings) => spacings * spacing,
+        Auto::Auto => 2.0 * sum + 0.05 * spacing,
+    };
+    all / band.marks.len().max(1) as f64
 }

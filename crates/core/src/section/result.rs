@@ -1,4 +1,4 @@
-//! What a section holds.
+//! Sections and their contours.
 
 use super::curves::{self, Piece, Shape, nest};
 use super::frame::SliceFrame;
@@ -6,7 +6,7 @@ use super::outline::Drawn;
 use crate::curve::{BSpline, polygon};
 
 /// Fewest points of a slab that a curve is sought in.
-pub(crate) const FEWEST: usize = 4;
+pub(crate) const FEWEST_POINTS: usize = 4;
 
 /// All sections of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -207,12 +207,7 @@ fn piece(piece: Piece) -> CurvePiece {
             CurveShape::Arc { centre: lift(centre), radius, sweep_deg: sweep.to_degrees() }
         }
         Shape::Circle { centre, radius } => CurveShape::Circle { centre: lift(centre), radius },
-        Shape::Free(spline) => CurveShape::Spline(BSpline {
-            degree: 3,
-            knots: spline.knots,
-            controls: spline.controls.into_iter().map(lift).collect(),
-            periodic: false,
-        }),
+        Shape::Free(spline) => CurveShape::Spline(spline.mapped(lift, 1.0)),
     };
     CurvePiece { shape, from: lift(piece.from), to: lift(piece.to), worst: piece.worst }
 }

@@ -20,6 +20,7 @@ use crate::cloud::Cloud;
 use crate::error::Error;
 use crate::frame::{Frame, Localised};
 use crate::neighbors::Index;
+use crate::params::SectionParams;
 use crate::section::result::Sections;
 use crate::section::surface::tiles::Tiles;
 use rayon::prelude::*;
@@ -27,31 +28,38 @@ use runs::Found;
 
 pub use result::{Feature, Mirror, Repeat, Run, Stack};
 
-/// How far contours of one outline may lie apart on average, in spacings: what the noise leaves of a contour.
-fn tolerance(sections: &Sections) -> f64 {
-    (0.12 + 0.5 * sections.noise) * sections.spacing
+/// How far contours of one outline may lie apart on average, world unit: as given, or by the noise.
+fn tolerance(sections: &Sections, params: &SectionParams) -> f64 {
+    params.same_spacings.or(|| 0.12 + 0.5 * sections.noise) * sections.spacing
 }
 
 /// Names the runs of a stack of sections of `cloud`. Where both are wanted,
 /// [`section_observed`](crate::section::section_observed) sorts the cloud once for both.
 ///
 /// # Errors
-/// What [`Frame::localise`] refuses.
-pub fn stack(cloud: &Cloud, sections: &Sections) -> Result<Stack, Error> {
+/// Those of [`Frame::localise`].
+pub fn stack(cloud: &Cloud, sections: &Sections, params: &SectionParams) -> Result<Stack, Error> {
     let local = Frame::localise(cloud)?;
     let index = Index::build(&local.positions);
     let tiles = Tiles::new(&index, sections.noise, sections.frame.axes[2]);
-    Ok(of(&local, &index, &tiles, sections))
+    Ok(of(&local, &index, &tiles, sections, params))
 }
 
 /// [`stack`] of a cloud that is localised, indexed and tiled.
-pub(crate) fn of(local: &Localised, index: &Index, tiles: &Tiles, sections: &Sections) -> Stack {
-    let tolerance = tolerance(sections);
+pub(crate) fn of(
+    local: &Localised,
+    index: &Index,
+    tiles: &Tiles,
+    sections: &Sections,
+    params: &SectionParams,
+) -> Stack {
+    let tolerance = tolerance(sections, params);
     let order = profile::order(sections);
     let levels = profile::levels(sections, &order, tolerance);
     let heights: Vec<f64> = order.iter().map(|&plane| sections.heights[plane]).collect();
     let shown = shown::Shown::new(sections);
-    let tracks = track::tracks(&levels, &heights, tolerance, |k, profile| shown.holds(order[k], profile));
+    let holds = |k: usize, profile: &profile::Profile| shown.holds(order[k], profile);
+    let tracks = track::tracks(&levels, &heights, tolerance, params.missed, holds);
     // The runs of a track stay together until their ends are known.
     let mut found: Vec<Found> =
         tracks.par_iter().flat_map_iter(|t| runs::runs(t, sections, tolerance)).collect();

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use lineament::Cloud;
+use lineament::params::Auto;
 use lineament::section::{
     Contour, Missing, Outline, Planes, SectionParams, Sections, Side, section, section_observed,
 };
@@ -127,7 +128,7 @@ fn a_million_points_are_one_contour() {
     for outline in OUTLINES {
         let planes = Planes::At(vec![0.0]);
         let params =
-            SectionParams { outline, planes, fit: true, thickness: Some(0.06), ..Default::default() };
+            SectionParams { outline, planes, fit: true, thickness: Auto::Given(0.06), ..Default::default() };
         let sections = section(&cloud, &params).unwrap();
         valid(&sections);
         assert_eq!(sections.sections[0].points, 1_000_000);

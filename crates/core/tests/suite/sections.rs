@@ -2,6 +2,7 @@
 
 mod features;
 
+use lineament::params::Auto;
 use lineament::section::{
     Axis, CurveShape, Feature, Missing, Outline, Planes, SectionParams, Sections, Side, Stack, section, stack,
 };
@@ -69,7 +70,7 @@ fn a_sphere_is_cut_in_circles_and_named_a_revolution() {
     let circles =
         sections.contours().filter(|(_, c)| matches!(c.pieces[..], [ref p] if p.shape.name() == "circle"));
     assert!(circles.count() >= 10);
-    let found = stack(&cloud, &sections).unwrap();
+    let found = stack(&cloud, &sections, &SectionParams::default()).unwrap();
     assert!(found.runs.iter().any(|r| matches!(r.feature, Feature::Revolution { .. })), "{:?}", found.runs);
     assert!(found.runs.iter().all(|r| !r.hole));
 }
@@ -214,7 +215,7 @@ fn degenerate_slabs_give_a_reason_or_a_curve() {
                 let sections = section(&cloud, &params).unwrap();
                 check(&sections);
                 assert!(sections.sections.iter().all(|s| s.missing.is_some()), "cloud {k}: {sections:?}");
-                assert_eq!(stack(&cloud, &sections).unwrap(), Stack::default());
+                assert_eq!(stack(&cloud, &sections, &params).unwrap(), Stack::default());
             }
         }
     }
@@ -240,10 +241,10 @@ fn parameters_outside_their_range_are_refused_by_name() {
         other => panic!("{key}: {other:?}"),
     };
     let standard = SectionParams::default;
-    refused(SectionParams { planes: Planes::Every(0.0), ..standard() }, "section.every");
-    refused(SectionParams { planes: Planes::At(vec![f64::NAN]), ..standard() }, "section.at");
-    refused(SectionParams { planes: Planes::Count(0), ..standard() }, "section.count");
+    refused(SectionParams { planes: Planes::Every(0.0), ..standard() }, "section.planes");
+    refused(SectionParams { planes: Planes::At(vec![f64::NAN]), ..standard() }, "section.planes");
+    refused(SectionParams { planes: Planes::Count(0), ..standard() }, "section.planes");
     refused(SectionParams { axis: Axis::Vector([0.0; 3]), ..standard() }, "section.axis");
-    refused(SectionParams { thickness: Some(-1.0), ..standard() }, "section.thickness");
+    refused(SectionParams { thickness: Auto::Given(-1.0), ..standard() }, "section.thickness");
     refused(SectionParams { reach_spacings: 0.0, ..standard() }, "section.reach_spacings");
 }

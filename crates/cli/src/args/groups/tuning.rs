@@ -9,9 +9,16 @@ use crate::args::parse;
 /// Parameters of the extraction; none needs to be set.
 #[derive(Clone, Debug, Default, Args)]
 pub struct Tuning {
-    /// Detection method, as --set method=M
+    /// Detection method: penalty (or gumhold), projection (tran) or segments (demarsin); as --set method=M
     #[arg(long, value_name = "M")]
     pub method: Option<String>,
+    #[command(flatten)]
+    pub settings: Settings,
+}
+
+/// Parameters by their keys.
+#[derive(Clone, Debug, Default, Args)]
+pub struct Settings {
     /// TOML file of parameters, in the form that `lineament params` prints
     #[arg(long, value_name = "FILE.toml", value_hint = ValueHint::FilePath)]
     pub params: Option<PathBuf>,

@@ -1,5 +1,7 @@
 //! A static k-d tree for the few thousand samples of one slab, in which densities may differ a hundredfold.
 
+use crate::math::points::distance2;
+
 /// Points in `D` dimensions under a balanced tree; queries report indices into the slice it was built from.
 #[derive(Clone, Debug)]
 pub(crate) struct Tree<const D: usize> {
@@ -114,14 +116,6 @@ fn widest<const D: usize>(places: &[([f64; D], u32)]) -> usize {
     }
     let extent = |axis: usize| high[axis] - low[axis];
     (1..D).fold(0, |best, axis| if extent(axis) > extent(best) { axis } else { best })
-}
-
-fn distance2<const D: usize>(a: [f64; D], b: [f64; D]) -> f64 {
-    let mut sum = 0.0;
-    for axis in 0..D {
-        sum += (a[axis] - b[axis]) * (a[axis] - b[axis]);
-    }
-    sum
 }
 
 #[cfg(test)]

@@ -82,7 +82,7 @@ impl Packed {
     }
 }
 
-/// What is looked for: points within a radius, and the same for boxes, with room for rounding.
+/// The region searched: points within a radius, and the same for boxes, with room for rounding.
 struct Ball {
     centre: [f64; 2],
     radius2: f64,

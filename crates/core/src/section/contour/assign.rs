@@ -10,6 +10,18 @@ use crate::math::trees::packed::Packed;
 use crate::math::vec2::{along, cross, dot, sub};
 use crate::section::surface::carry::Sample;
 
+/// Samples this far from the contour beside their node, in spacings, may lie nearer to another stretch: at the tip of a
+/// narrow wedge a node stands for both sides.
+const SURE_DISTANCE: f64 = 0.2;
+/// The node is in no band.
+const NO_BAND: u32 = u32::MAX;
+/// Segments that are first looked along together.
+const STRETCH: usize = 16;
+/// How far from a contour samples are looked for, in its own spacings; each then has a say by its own.
+const SEARCH_REACH: f64 = 1.5;
+/// Distance in spacings that counts like running across each other.
+const ACROSS_COST: f64 = 0.5;
+
 /// Gives every sample that is `free` to the nearest contour that runs its way; samples near none are left out.
 ///
 /// `owners` has for each sample its node; where the contours are chains of nodes, those with a node there are placed beside
@@ -23,7 +35,7 @@ pub(crate) fn assign(samples: &[Sample], owners: &[u32], free: &[bool], chains: 
         if let Some(&(b, v)) = seats.get(owners[i] as usize).filter(|seat| seat.0 != NO_BAND) {
             place.beside(&samples[i], b, &bands[b as usize], v as usize);
         }
-        if place.off > SURE * samples[i].spacing {
+        if place.off > SURE_DISTANCE * samples[i].spacing {
             rest.push(i as u32);
         }
     }
@@ -31,10 +43,6 @@ pub(crate) fn assign(samples: &[Sample], owners: &[u32], free: &[bool], chains: 
     let marks = marks(samples, &best, &bands);
     bands.into_iter().zip(marks).map(|(band, marks)| band.marked(marks)).collect()
 }
-
-/// Samples this far from the contour beside their node, in spacings, may lie nearer to another stretch: at the tip of a
-/// narrow wedge a node stands for both sides.
-const SURE: f64 = 0.2;
 
 /// For each node the band it is in and its vertex there.
 fn seats(bands: &[Band]) -> Vec<(u32, u32)> {
@@ -49,16 +57,13 @@ fn seats(bands: &[Band]) -> Vec<(u32, u32)> {
     seats
 }
 
-/// The node is in no band.
-const NO_BAND: u32 = u32::MAX;
-
 /// Looks along all contours for some of the samples.
 fn search(samples: &[Sample], wanted: &[u32], bands: &[Band], best: &mut [Place]) {
     let feet: Vec<[f64; 2]> = wanted.iter().map(|&i| samples[i as usize].foot).collect();
     if feet.is_empty() {
         return;
     }
-    let tree = Packed::new(&feet);
+    let (tree, mut found) = (Packed::new(&feet), Vec::new());
     for (b, band) in bands.iter().enumerate() {
         let all = segments(band);
         for first in (0..all).step_by(STRETCH) {
@@ -67,7 +72,7 @@ fn search(samples: &[Sample], wanted: &[u32], bands: &[Band], best: &mut [Place]
             let (centre, radius) = around(band, stretch.clone());
             if tree.any(centre, radius) {
                 for v in stretch {
-                    near(band, v, &tree, |k| {
+                    near(band, v, &tree, &mut found, |k| {
                         let i = wanted[k as usize] as usize;
                         best[i].meet(&samples[i], b as u32, band, v);
                     });
@@ -77,33 +82,26 @@ fn search(samples: &[Sample], wanted: &[u32], bands: &[Band], best: &mut [Place]
     }
 }
 
-/// Segments that are first looked along together.
-const STRETCH: usize = 16;
-
 /// A ball that holds all that is near some segments of a band.
 fn around(band: &Band, stretch: Range<usize>) -> ([f64; 2], f64) {
     let from = band.chain.vertices[stretch.start].at;
     let length: f64 = stretch.clone().map(|v| band.reach(v)).sum();
     let widest = stretch.map(|v| band.chain.vertices[v].spacing).fold(0.0, f64::max);
-    (from, length + REACH * widest)
+    (from, length + SEARCH_REACH * widest)
 }
 
-/// Visits what lies near a segment of a band: long segments are looked along in balls of a few spacings, not in one large
+/// Visits the samples near a segment of a band: long segments are looked along in balls of a few spacings, not in one large
 /// one.
-fn near(band: &Band, v: usize, tree: &Packed, mut visit: impl FnMut(u32)) {
+fn near(band: &Band, v: usize, tree: &Packed, found: &mut Vec<u32>, mut visit: impl FnMut(u32)) {
     let (from, way, length) = (band.chain.vertices[v].at, band.ways[v], band.reach(v));
     let spacing = band.chain.vertices[v].spacing;
     let pieces = (length / (3.0 * spacing)).ceil().clamp(1.0, 1e6) as usize;
-    let mut found = Vec::new();
     for k in 0..pieces {
         let middle = along(from, way, length * (k as f64 + 0.5) / pieces as f64);
-        tree.within(middle, 0.5 * length / pieces as f64 + REACH * spacing, &mut found);
+        tree.within(middle, 0.5 * length / pieces as f64 + SEARCH_REACH * spacing, found);
         found.iter().for_each(|&k| visit(k));
     }
 }
-
-/// How far from a contour samples are looked for, in its own spacings; each then has a say by its own.
-const REACH: f64 = 1.5;
 
 /// Where a sample lies along the nearest contour so far.
 #[derive(Clone, Copy)]
@@ -115,9 +113,6 @@ struct Place {
     arc: f64,
     growth: f64,
 }
-
-/// Distance in spacings that counts like running across each other.
-const ACROSS: f64 = 0.5;
 
 impl Place {
     /// Takes the nearest of the four segments around a vertex.
@@ -145,7 +140,7 @@ impl Place {
         if off2 >= self.off * self.off || off2 > sample.spacing * sample.spacing {
             return;
         }
-        let across = ACROSS * sample.spacing * cross(way, sample.tangent);
+        let across = ACROSS_COST * sample.spacing * cross(way, sample.tangent);
         let off = (off2 + across * across).sqrt();
         if off < self.off && dot(way, sample.tangent).abs() >= 0.6 {
             *self = Place { off, band: b, arc: band.arcs[v] + ahead, growth: cross(sample.drift, way) };
@@ -159,7 +154,7 @@ fn marks(samples: &[Sample], best: &[Place], bands: &[Band]) -> Vec<Vec<Mark>> {
     let places = || placed.iter().map(|&i| &best[i as usize]);
     let mut counts = vec![0u32; bands.len()];
     places().for_each(|p| counts[p.band as usize] += 1);
-    // As many cells along each band as it has samples: what shares a cell is sorted, the rest is in order by its cell.
+    // As many cells along each band as it has samples: those in one cell are sorted, the rest are in order by their cells.
     let firsts = counts.iter().scan(0, |sum, &count| Some(std::mem::replace(sum, *sum + count)));
     let per_length = |(band, &count): (&Band, &u32)| f64::from(count) / band.length.max(f64::MIN_POSITIVE);
     let rows: Vec<(u32, f64)> = firsts.zip(bands.iter().zip(&counts).map(per_length)).collect();

@@ -6,7 +6,7 @@ use crate::math::ruler::Ruler;
 use crate::math::vec2::{along, distance, sub, unit};
 use std::ops::Range;
 
-/// What an outline is drawn from of a sample, with its place along a contour.
+/// A sample as an outline is drawn from it, with its place along a contour.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mark {
     /// Length along the contour's polyline to the foot of the sample.
@@ -30,7 +30,7 @@ pub(crate) struct Mark {
 pub(crate) struct Growth {
     /// The median along the contour.
     pub middle: f64,
-    /// What nine tenths of the contour stay under, of either sign.
+    /// The value that nine tenths of the contour stay under, of either sign.
     pub most: f64,
 }
 
@@ -113,7 +113,7 @@ impl Band {
         self
     }
 
-    /// What its marks say of the wall; all 0 for none.
+    /// The growth of the wall by its marks; all 0 for none.
     pub(crate) fn growth(&self) -> Growth {
         let mut all: Vec<f64> = self.marks.iter().map(|m| m.growth).collect();
         let middle = quantile(&mut all, 0.5);
@@ -152,7 +152,7 @@ impl Band {
         sum / count.max(1) as f64
     }
 
-    /// The marks in an arc range, turn by turn of a closed band: what their arcs are shifted by, and their indices.
+    /// The marks in an arc range, turn by turn of a closed band: the shift of their arcs, and their indices.
     fn ranges(&self, from: f64, to: f64) -> impl Iterator<Item = (f64, Range<usize>)> {
         let turns: &[f64] = if self.chain.closed { &[-1.0, 0.0, 1.0] } else { &[0.0] };
         let shifts = turns.iter().map(|turn| turn * self.length);

@@ -9,17 +9,17 @@ use crate::math::trees::packed::Packed;
 use crate::math::vec2::{along, distance, dot, local, sub, unit};
 use crate::section::surface::carry::Sample;
 
-/// Longest bridge, in local spacings.
-pub(crate) const LONGEST: f64 = 30.0;
 /// How far from each place of a bridge a sample is looked for, along and across it, in local spacings.
-const BESIDE: (f64, f64) = (1.0, 0.6);
+const SUPPORT_REACH: (f64, f64) = (1.0, 0.6);
 /// Least cosine between a bridge and the curve as a sample on it has it.
-const ALIKE: f64 = 0.7;
+const ALONG_COSINE: f64 = 0.7;
 
-/// The samples of a slab, and a tree over their feet.
+/// The samples of a slab, a tree over their feet, and how far they lead.
 pub(crate) struct Support<'a> {
     pub samples: &'a [Sample],
     pub tree: &'a Packed,
+    /// Longest bridge, in local spacings.
+    pub longest: f64,
 }
 
 impl Support<'_> {
@@ -31,24 +31,29 @@ impl Support<'_> {
             let path: Vec<[f64; 2]> = [Some(e.at), corner, Some(f.at)].into_iter().flatten().collect();
             let length: f64 = path.windows(2).map(|w| distance(w[0], w[1])).sum();
             let holds = || path.windows(2).all(|w| self.holds(w[0], w[1], spacing));
-            (length <= LONGEST * spacing && holds()).then(|| Joint { cost: length / spacing, a, b, corner })
+            (length <= self.longest * spacing && holds()).then(|| Joint {
+                cost: length / spacing,
+                a,
+                b,
+                corner,
+            })
         };
         bridge(None).or_else(|| bridge(Some(corner(e, f, spacing)?)))
     }
 
-    /// Whether samples lie all along a straight stretch; what its ends and corners hide is taken for granted.
+    /// Whether samples lie all along a straight stretch; the parts beside its ends and corners are taken for granted.
     fn holds(&self, from: [f64; 2], to: [f64; 2], spacing: f64) -> bool {
         let (length, way) = (distance(from, to), unit(sub(to, from)));
         let mut found = Vec::new();
         let steps = (length / spacing).ceil().max(1.0);
         (0..=steps as usize).all(|k| {
             let at = length * k as f64 / steps;
-            at.min(length - at) < BESIDE.0 * spacing || {
+            at.min(length - at) < SUPPORT_REACH.0 * spacing || {
                 let place = along(from, way, at);
-                self.tree.within(place, BESIDE.0 * spacing, &mut found);
+                self.tree.within(place, SUPPORT_REACH.0 * spacing, &mut found);
                 found.iter().map(|&i| &self.samples[i as usize]).any(|s| {
                     let (_, across) = local(way, place, s.foot);
-                    across.abs() <= BESIDE.1 * spacing && dot(s.tangent, way).abs() >= ALIKE
+                    across.abs() <= SUPPORT_REACH.1 * spacing && dot(s.tangent, way).abs() >= ALONG_COSINE
                 })
             }
         })

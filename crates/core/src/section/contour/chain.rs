@@ -1,6 +1,9 @@
-//! Ordered vertices: what contours are while they are put together.
+//! Ordered vertices: contours while they are put together.
 
 use crate::math::vec2::distance;
+
+/// No node.
+pub(crate) const NO_NODE: u32 = u32::MAX;
 
 /// One vertex of a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,9 +19,6 @@ pub(crate) struct Vertex {
     /// The index of its node; [`NO_NODE`] for none.
     pub node: u32,
 }
-
-/// No node.
-pub(crate) const NO_NODE: u32 = u32::MAX;
 
 impl Vertex {
     /// A vertex of a smooth line.

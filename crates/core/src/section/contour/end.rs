@@ -46,7 +46,7 @@ pub(crate) fn ends_of((index, chain): (usize, &Chain)) -> [End; 2] {
     [end(false), end(true)]
 }
 
-/// Whether two ends lie near enough to each other beside what they are the ends of.
+/// Whether two ends lie near enough to each other for the lengths of their chains.
 pub(crate) fn may_join(e: &End, f: &End) -> bool {
     let (gap, spacing) = (distance(e.at, f.at), 0.5 * (e.spacing + f.spacing));
     if e.chain == f.chain {

@@ -1,10 +1,10 @@
 //! Chains joined at corners and over gaps into contours.
 //!
 //! Loose ends are paired greedily by cost, in rounds of growing reach: two that look straight at each other over a gap,
-//! two whose straight continuations meet in a corner, or two so close that it does not matter how they look. What is left
+//! two whose straight continuations meet in a corner, or two so close that it does not matter how they look. The rest
 //! is bridged where samples lie between.
 
-use super::bridge::{LONGEST, Support};
+use super::bridge::Support;
 use super::chain::Chain;
 use super::end::{End, Joint, ends_of, may_join};
 use super::splice::splice;
@@ -12,14 +12,24 @@ use super::stray;
 use crate::math::trees::kd::Tree;
 use crate::math::vec2::{along, cross, distance, dot, meet, sub};
 
-/// Joins the ends of chains, the nearest first, and leaves out strays, also those along `settled` contours: contours,
-/// longest first.
-pub(crate) fn joined(mut chains: Vec<Chain>, settled: &[Chain], support: &Support) -> Vec<Chain> {
+/// Extra cost of a joint to a weak end, in local spacings.
+const WEAK_COST: f64 = 2.5;
+/// Ends this close, in local spacings, belong together whichever way they look.
+const TOUCHING: f64 = 3.0;
+
+/// Joins the ends of chains, the nearest first, and leaves out strays: open chains shorter than `shortest` local spacings,
+/// and those along others or along `settled` contours. Contours, longest first.
+pub(crate) fn joined(
+    mut chains: Vec<Chain>,
+    settled: &[Chain],
+    support: &Support,
+    shortest: f64,
+) -> Vec<Chain> {
     for reach in [2.5, 5.0, 9.0] {
         chains = join(chains, 1.5 * reach, |ends, a, b| joint(ends, a, b, reach));
     }
-    chains = join(chains, LONGEST, |ends, a, b| support.joint(ends, a, b));
-    stray::dropped(chains, settled)
+    chains = join(chains, support.longest, |ends, a, b| support.joint(ends, a, b));
+    stray::dropped(chains, settled, shortest)
 }
 
 /// Joins ends at most some spacings apart by a rule, the cheapest joints first.
@@ -37,7 +47,7 @@ fn join(chains: Vec<Chain>, reach: f64, rule: impl Fn(&[End], usize, usize) -> O
         joints.extend(later.filter_map(|b| rule(&ends, a, b)));
     }
     for j in &mut joints {
-        j.cost += if ends[j.a].weak || ends[j.b].weak { WEAK } else { 0.0 };
+        j.cost += if ends[j.a].weak || ends[j.b].weak { WEAK_COST } else { 0.0 };
     }
     joints.sort_by(|x, y| x.cost.total_cmp(&y.cost).then((x.a, x.b).cmp(&(y.a, y.b))));
     let mut mate = vec![None; ends.len()];
@@ -55,17 +65,13 @@ fn joint(ends: &[End], a: usize, b: usize, reach: f64) -> Option<Joint> {
     let spacing = 0.5 * (e.spacing + f.spacing);
     let gap = distance(e.at, f.at);
     let turn = (-dot(e.out, f.out)).clamp(-1.0, 1.0).acos().to_degrees();
-    let near = (gap <= NEAR * spacing).then_some(Joint { cost: NEAR + gap / spacing, a, b, corner: None });
+    let near =
+        (gap <= TOUCHING * spacing).then_some(Joint { cost: TOUCHING + gap / spacing, a, b, corner: None });
     if turn < 30.0 {
         return straight(e, f, gap, spacing, reach).map(|cost| Joint { cost, a, b, corner: None }).or(near);
     }
     corner(e, f, spacing, reach, turn).map(|(cost, at)| Joint { cost, a, b, corner: Some(at) }).or(near)
 }
-
-/// What a joint to a weak end costs more, in local spacings.
-const WEAK: f64 = 2.5;
-/// Ends this close, in local spacings, belong together whichever way they look.
-const NEAR: f64 = 3.0;
 
 fn corner(e: &End, f: &End, spacing: f64, reach: f64, turn: f64) -> Option<(f64, [f64; 2])> {
     let (ahead, behind) = meet(e.at, e.out, f.at, f.out)?;
@@ -124,8 +130,8 @@ mod tests {
             samples.extend(places.map(|foot| sample(foot, tangent)));
         }
         let feet: Vec<[f64; 2]> = samples.iter().map(|s| s.foot).collect();
-        let support = Support { samples: &samples, tree: &Packed::new(&feet) };
-        joined(ends.map(line).into(), &[], &support)
+        let support = Support { samples: &samples, tree: &Packed::new(&feet), longest: 30.0 };
+        joined(ends.map(line).into(), &[], &support, 4.0)
     }
 
     #[test]

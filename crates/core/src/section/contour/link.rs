@@ -9,33 +9,31 @@ use crate::math::counting_sort::ascending;
 use crate::math::trees::kd::Tree;
 use crate::math::vec2::{distance, dot, sub};
 
-/// Greatest length of a link between nodes, in local spacings.
-const LINK: f64 = 2.4;
 /// Least cosine between a link and the tangents at its ends.
-const STRAIGHT: f64 = 0.72;
+const LINK_COSINE: f64 = 0.72;
 
-/// Chains of linked nodes, each node in one of them. Short links come first, and leave few nodes to look for long ones.
-pub(crate) fn chains(nodes: &Nodes) -> Vec<Chain> {
+/// Chains of linked nodes, each node in one of them; links are at most `longest` local spacings long. Short links come first, and leave few nodes to look for long ones.
+pub(crate) fn chains(nodes: &Nodes, longest: f64) -> Vec<Chain> {
     let Nodes { all, pairs, .. } = nodes;
     let mut ports = vec![[u32::MAX; 2]; all.len()];
     let near = |&&(a, b): &&(u32, u32)| {
         let (a, b) = (&all[a as usize], &all[b as usize]);
-        distance(a.at, b.at) <= 0.5 * LINK * a.spacing
+        distance(a.at, b.at) <= 0.5 * longest * a.spacing
     };
     take(all, pairs.iter().filter(near).copied(), &mut ports);
-    take(all, far_pairs(all, &ports).into_iter(), &mut ports);
+    take(all, far_pairs(all, &ports, longest).into_iter(), &mut ports);
     walk(all, &ports)
 }
 
-/// Pairs of nodes with loose ends, at most [`LINK`] apart.
-fn far_pairs(nodes: &[Node], ports: &[Ports]) -> Vec<(u32, u32)> {
+/// Pairs of nodes with loose ends, at most `longest` spacings apart.
+fn far_pairs(nodes: &[Node], ports: &[Ports], longest: f64) -> Vec<(u32, u32)> {
     let loose: Vec<u32> =
         (0..nodes.len() as u32).filter(|&i| ports[i as usize].contains(&u32::MAX)).collect();
     let places: Vec<[f64; 2]> = loose.iter().map(|&i| nodes[i as usize].at).collect();
     let (tree, mut found, mut pairs) = (Tree::new(&places), Vec::new(), Vec::new());
     for (k, &a) in loose.iter().enumerate() {
         let node = &nodes[a as usize];
-        tree.within(node.at, LINK * node.spacing, &mut found);
+        tree.within(node.at, longest * node.spacing, &mut found);
         pairs.extend(found.iter().filter(|&&j| j as usize > k).map(|&j| (a, loose[j as usize])));
     }
     pairs
@@ -73,7 +71,7 @@ fn link(a: &Node, b: &Node) -> Option<(f64, bool, bool)> {
     let step = sub(b.at, a.at);
     let length = dot(step, step).sqrt();
     let (ca, cb) = (dot(a.tangent, step) / length, -dot(b.tangent, step) / length);
-    if a.weak != b.weak || length <= 0.0 || ca.abs() < STRAIGHT || cb.abs() < STRAIGHT {
+    if a.weak != b.weak || length <= 0.0 || ca.abs() < LINK_COSINE || cb.abs() < LINK_COSINE {
         return None;
     }
     let spacing = 0.5 * (a.spacing + b.spacing);

@@ -9,6 +9,12 @@ use crate::math::trees::packed::Packed;
 use crate::math::vec2::{along, distance, dot, left, local, unit};
 use crate::section::surface::carry::Sample;
 
+/// Cosine of the largest angle between samples of one piece of curve.
+const SAME_PIECE_COSINE: f64 = 0.8;
+/// A sample that has no node, and one that needs none; else its state is the index of its node.
+const OPEN: u32 = u32::MAX;
+const COVERED: u32 = u32::MAX - 1;
+
 /// A place on the curve that several samples agree on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node {
@@ -21,9 +27,6 @@ pub(crate) struct Node {
     /// Whether the samples' tangent planes fit badly.
     pub weak: bool,
 }
-
-/// Cosine of the largest angle between samples of one piece of curve.
-const ALIKE: f64 = 0.8;
 
 /// Nodes with those beside each other.
 #[derive(Default)]
@@ -76,22 +79,19 @@ fn order(samples: &[Sample]) -> Vec<u32> {
     ascending(&samples.iter().map(rank).collect::<Vec<f64>>())
 }
 
-/// A sample that has no node, and one that needs none; else its state is the index of its node.
-const OPEN: u32 = u32::MAX;
-const COVERED: u32 = u32::MAX - 1;
-
 impl Node {
     /// Whether another node, of a sample that comes later, shows the same piece of curve.
     fn repeats(&self, other: &Node) -> bool {
         let apart = distance(self.at, other.at);
         let (_, v) = local(self.tangent, self.at, other.at);
-        let alike = dot(other.tangent, self.tangent).abs() >= ALIKE && v.abs() <= 0.4 * self.spacing;
+        let alike =
+            dot(other.tangent, self.tangent).abs() >= SAME_PIECE_COSINE && v.abs() <= 0.4 * self.spacing;
         apart <= 0.7 * self.spacing && alike || apart <= 0.3 * self.spacing
     }
 
     fn covers(&self, s: &Sample) -> bool {
         let (_, v) = local(self.tangent, self.at, s.foot);
-        let alike = dot(s.tangent, self.tangent).abs() >= ALIKE && v.abs() <= 0.4 * self.spacing;
+        let alike = dot(s.tangent, self.tangent).abs() >= SAME_PIECE_COSINE && v.abs() <= 0.4 * self.spacing;
         alike && distance(self.at, s.foot) <= 0.7 * self.spacing
     }
 }
@@ -105,7 +105,7 @@ fn agree(samples: &[Sample], s: &Sample, found: &[u32]) -> Option<Node> {
     for &j in found {
         let o = &samples[j as usize];
         let (u, v) = local(s.tangent, s.foot, o.foot);
-        if dot(o.tangent, s.tangent).abs() < ALIKE || v.abs() > tolerance {
+        if dot(o.tangent, s.tangent).abs() < SAME_PIECE_COSINE || v.abs() > tolerance {
             continue;
         }
         if u.abs() <= 1.2 * s.spacing {

@@ -3,13 +3,13 @@
 use super::chain::Chain;
 use crate::math::trees::kd::Tree;
 
-/// Fewest vertices, and least length in spacings, of an open chain that says something.
-const SHORT: (usize, f64) = (4, 4.0);
+/// Fewest vertices of an open chain.
+const FEWEST_VERTICES: usize = 4;
 
-/// The chains but for strays, longest first. What runs along one of the `settled` is a stray too.
-pub(crate) fn dropped(mut chains: Vec<Chain>, settled: &[Chain]) -> Vec<Chain> {
+/// The chains but for strays, longest first. A chain along one of the `settled` is a stray too.
+pub(crate) fn dropped(mut chains: Vec<Chain>, settled: &[Chain], shortest: f64) -> Vec<Chain> {
     chains.sort_by_cached_key(|c| std::cmp::Reverse(c.length().to_bits()));
-    chains.retain(|c| c.closed || !(short(c) || weak(c)));
+    chains.retain(|c| c.closed || !(short(c, shortest) || weak(c)));
     if chains.iter().all(|c| c.closed) {
         return chains;
     }
@@ -31,8 +31,8 @@ pub(crate) fn dropped(mut chains: Vec<Chain>, settled: &[Chain]) -> Vec<Chain> {
     chains
 }
 
-fn short(chain: &Chain) -> bool {
-    chain.vertices.len() < SHORT.0 || chain.length() < SHORT.1 * chain.spacing()
+fn short(chain: &Chain, shortest: f64) -> bool {
+    chain.vertices.len() < FEWEST_VERTICES || chain.length() < shortest * chain.spacing()
 }
 
 fn weak(chain: &Chain) -> bool {

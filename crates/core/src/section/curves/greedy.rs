@@ -1,5 +1,5 @@
 //! A part of a contour between corners cut into stretches, greedily: from where the last one ended, the longest line or arc that stays
-//! within the tolerance of every vertex; what neither describes is left free.
+//! within the tolerance of every vertex; the rest is left free.
 
 use crate::curve::circle::Circle;
 use crate::curve::line::Line;

@@ -10,17 +10,19 @@ use crate::math::vec2::{along, distance, dot, meet, onto, sub, unit};
 use crate::section::contour::band::{Band, segment, segments};
 use crate::section::contour::chain::Vertex;
 
-/// Least turn at a corner in degrees, without noise and what noise adds.
-const LEAST_TURN: (f64, f64) = (25.0, 60.0);
+/// Rise of the least turn at a corner, degrees, for each spacing of noise.
+const NOISE_TURN_DEG: f64 = 60.0;
 /// A chain that turns by less than ten degrees over the steps of two spacings to either side holds no corner; the
 /// squared cosine.
-const STRAIGHT: f64 = 0.969_846_310_392_954_2;
+const STRAIGHT_COSINE2: f64 = 0.969_846_310_392_954_2;
 /// Least distance of corners, in spacings.
-const APART: f64 = 1.5;
+const CORNER_DISTANCE: f64 = 1.5;
+/// Vertices to either side of one between which a corner shows, in a chain of nodes: two spacings.
+const VERTICES_BESIDE: usize = 3;
 
 /// Corners as (arc, vertex), ascending.
-pub(crate) fn corners(band: &Band, noise: f64) -> Vec<(f64, Vertex)> {
-    let least = LEAST_TURN.0 + LEAST_TURN.1 * noise;
+pub(crate) fn corners(band: &Band, noise: f64, turn_deg: f64) -> Vec<(f64, Vertex)> {
+    let least = turn_deg + NOISE_TURN_DEG * noise;
     let free = (f64::NEG_INFINITY, f64::INFINITY);
     let turn = |arc: f64| (arc, turn_at(band, arc, noise, free));
     let mut turns: Vec<(f64, f64)> = probes(band).into_iter().map(turn).filter(|t| t.1 >= least).collect();
@@ -30,7 +32,7 @@ pub(crate) fn corners(band: &Band, noise: f64) -> Vec<(f64, Vertex)> {
         let h = spacing_at(band, arc);
         let room = found.room(arc);
         let apart = (arc - room.0).min(room.1 - arc);
-        if apart < APART * h || !sudden(band, arc, turn, noise) {
+        if apart < CORNER_DISTANCE * h || !sudden(band, arc, turn, noise) {
             continue;
         }
         // Far from all others nothing is cut off, and the turn is the one known.
@@ -50,9 +52,10 @@ pub(crate) fn corners(band: &Band, noise: f64) -> Vec<(f64, Vertex)> {
 fn arc_of(band: &Band, at: [f64; 2], near: f64) -> f64 {
     let (n, middle) = (segments(band), band.vertex(near));
     let mut best = (f64::INFINITY, near);
-    for step in 0..2 * BESIDE {
-        let v =
-            (middle + n + step).checked_sub(BESIDE).filter(|&v| band.chain.closed || (n..2 * n).contains(&v));
+    for step in 0..2 * VERTICES_BESIDE {
+        let v = (middle + n + step)
+            .checked_sub(VERTICES_BESIDE)
+            .filter(|&v| band.chain.closed || (n..2 * n).contains(&v));
         let Some(v) = v.map(|v| v % n) else { continue };
         let (from, to) = segment(band, v);
         let (share, off) = onto(from, to, at);
@@ -102,18 +105,15 @@ fn probes(band: &Band) -> Vec<f64> {
     probes
 }
 
-/// Vertices to either side of one between which a corner shows, in a chain of nodes: two spacings.
-const BESIDE: usize = 3;
-
 /// Whether the chain turns by ten degrees or more at a vertex, or one over the seam of a closed chain.
 fn bends(band: &Band, v: usize) -> bool {
     let vertices = &band.chain.vertices;
     let n = vertices.len();
     let at = |k: usize| vertices[k].at;
     let (before, own, after) = if band.chain.closed {
-        ((v + n - BESIDE % n) % n, v % n, (v + BESIDE) % n)
+        ((v + n - VERTICES_BESIDE % n) % n, v % n, (v + VERTICES_BESIDE) % n)
     } else {
-        (v.saturating_sub(BESIDE), v.min(n - 1), (v + BESIDE).min(n - 1))
+        (v.saturating_sub(VERTICES_BESIDE), v.min(n - 1), (v + VERTICES_BESIDE).min(n - 1))
     };
     !straight(sub(at(own), at(before)), sub(at(after), at(own)))
 }
@@ -125,7 +125,7 @@ fn sides(band: &Band, arc: f64, noise: f64, (low, high): (f64, f64)) -> Option<(
     if !band.chain.closed && (arc < 1.2 * h || arc > band.length - 1.2 * h) {
         return None;
     }
-    // The arc of a corner is known to half a step: what lies beside it may still belong to its other side.
+    // The arc of a corner is known to half a step: samples beside it may still belong to its other side.
     let (low, high) = ((low + 0.75 * h).max(arc - far), (high - 0.75 * h).min(arc + far));
     if arc - near - low < 0.8 * h || high - near - arc < 0.8 * h {
         return None;
@@ -146,7 +146,7 @@ fn turn_at(band: &Band, arc: f64, noise: f64, room: (f64, f64)) -> f64 {
 
 fn straight(a: [f64; 2], b: [f64; 2]) -> bool {
     let along = dot(a, b);
-    along > 0.0 && along * along > STRAIGHT * dot(a, a) * dot(b, b)
+    along > 0.0 && along * along > STRAIGHT_COSINE2 * dot(a, a) * dot(b, b)
 }
 
 fn angle(a: [f64; 2], b: [f64; 2]) -> f64 {

@@ -6,9 +6,9 @@ use crate::math::vec2::distance;
 use crate::section::contour::band::Band;
 use crate::section::contour::chain::{Chain, Vertex};
 
-/// The smooth middle of a band, given the noise in local spacings.
-pub(crate) fn middle(band: &Band, noise: f64) -> Chain {
-    let corners = corners(band, noise);
+/// The smooth middle of a band, given the noise in local spacings and the least turn at a corner without it.
+pub(crate) fn middle(band: &Band, noise: f64, corner_deg: f64) -> Chain {
+    let corners = corners(band, noise, corner_deg);
     let mut vertices = Vec::new();
     if corners.is_empty() {
         stretch(band, noise, 0.0, band.length, false, &mut vertices);

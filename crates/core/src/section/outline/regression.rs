@@ -2,6 +2,9 @@
 
 use crate::section::contour::band::Band;
 
+/// How much wider a parabola's kernel is than a line's, for about the same scatter.
+const PARABOLA: f64 = 1.5;
+
 /// A line fitted to the samples of a stretch of a band: position and direction as functions of the arc.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Local {
@@ -76,9 +79,6 @@ pub(crate) fn parabola(band: &Band, centre: f64, width: f64, from: f64, to: f64)
     };
     Some(Local { at: [at(0), at(1)], slope: [slope(0), slope(1)] })
 }
-
-/// How much wider a parabola's kernel is than a line's, for about the same scatter.
-const PARABOLA: f64 = 1.5;
 
 /// Half-width of the kernel in local spacings: wider with noise and on slanted surfaces.
 pub(crate) fn width(band: &Band, arc: f64, spacing: f64, noise: f64) -> f64 {

@@ -6,12 +6,9 @@ use crate::math::vec2::{along, cross, left, sub, unit};
 use crate::section::contour::band::Band;
 use crate::section::contour::chain::Chain;
 
-/// Share of the samples that the outside and the inside of a band leave beyond them.
-const BEYOND: f64 = 0.1;
-
 /// Moves each vertex of a closed outline to the side of the band that looks away from (1) or towards (-1) the
-/// enclosed area; an open one has no such sides and stays.
-pub(crate) fn shifted(band: &Band, chain: Chain, side: f64) -> Chain {
+/// enclosed area; an open one has no such sides and stays. A share of the samples is left `beyond` it.
+pub(crate) fn shifted(band: &Band, chain: Chain, side: f64, beyond: f64) -> Chain {
     if !chain.closed || band.marks.is_empty() {
         return chain;
     }
@@ -30,7 +27,7 @@ pub(crate) fn shifted(band: &Band, chain: Chain, side: f64) -> Chain {
         let off = |&m: &u32| cross(direction, sub(band.marks[m as usize].raw, points[k])) * sign;
         let mut offs: Vec<f64> = found.iter().map(off).collect();
         if offs.len() >= 3 {
-            let at = ((offs.len() - 1) as f64 * (1.0 - BEYOND)) as usize;
+            let at = ((offs.len() - 1) as f64 * (1.0 - beyond)) as usize;
             let shift = *offs.select_nth_unstable_by(at, f64::total_cmp).1;
             vertex.at = along(vertex.at, outward, shift.max(0.0));
         }

@@ -19,7 +19,7 @@ use crate::math::vec2::{cross, onto, sub, unit};
 use crate::section::contour::band::Band;
 
 /// Regions below this size may be split as unevenly as the circles do.
-const LARGE: usize = 256;
+const LARGE_REGION: usize = 256;
 
 /// Feature points as ascending indices into `band.marks`; `bound` is the multiple named above.
 pub(crate) fn features(band: &Band, threshold: f64, bound: f64) -> Vec<usize> {
@@ -79,7 +79,7 @@ fn splits(touched: [usize; 3], region: &[usize]) -> bool {
 
 fn lopsided(picked: &[usize], region: &[usize]) -> bool {
     let n = region.len();
-    n > LARGE && !positions(region, picked).iter().any(|k| (n / 20..=n - n / 20).contains(k))
+    n > LARGE_REGION && !positions(region, picked).iter().any(|k| (n / 20..=n - n / 20).contains(k))
 }
 
 /// Coordinates so small that the triangulation refuses them count as zero.

@@ -9,7 +9,10 @@
 //! split, down to slabs as thick as the local spacing lets a curve be described.
 
 use crate::curve::polyline::Polyline;
-use crate::section::result::{Contour, FEWEST, Section};
+use crate::section::result::{Contour, FEWEST_POINTS, Section};
+
+/// Rounds at most: each halves what it splits.
+const ROUNDS: usize = 12;
 
 /// A slab between two heights with the section at its middle.
 #[derive(Clone, Debug)]
@@ -34,9 +37,6 @@ pub(crate) struct Limits {
     /// Sections closer than this on average are alike, in the unit of the contours.
     pub alike: f64,
 }
-
-/// Rounds at most: each halves what it splits.
-const ROUNDS: usize = 12;
 
 /// The slabs of an extent as (low, high), ascending; `cut` gives the sections at some heights, in their order.
 pub(crate) fn slabs(
@@ -109,7 +109,7 @@ fn merge(slabs: Vec<Slab>, limits: Limits) -> Vec<Slab> {
 
 /// Whether a slab has too few points for a curve.
 fn bare(slab: &Slab) -> bool {
-    slab.section.as_ref().is_none_or(|s| s.points < FEWEST)
+    slab.section.as_ref().is_none_or(|s| s.points < FEWEST_POINTS)
 }
 
 /// Whether two sections have as many closed and open contours, holes among them, and lie on each other.

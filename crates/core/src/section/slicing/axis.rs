@@ -1,7 +1,7 @@
 //! The axis that a part is best cut across, from the normals of its faces.
 //!
-//! A face is explained by an axis if it stands along it, lies across it, or is turned about it: what an extrusion, a hole or a
-//! revolution consists of. The axis that explains most of the surface is taken; of those that explain about as much the one
+//! A face is explained by an axis if it stands along it, lies across it, or is turned about it, as the faces of an extrusion, a hole or a
+//! revolution are. The axis that explains most of the surface is taken; of those that explain about as much the one
 //! along which the section changes least often, since a face that lies across is a change; of those the one along which the
 //! cloud extends furthest. So a bent sheet is cut across its profile, a plate with holes and a storey of a house along their
 //! outlines, and a block across its length.
@@ -17,17 +17,16 @@ use pose::Pose;
 
 /// Noise, in spacings, above which points show no surface: those strewn through a volume seem to have half a spacing.
 const NO_SURFACE: f64 = 0.4;
-/// Share of the surface that an axis must explain; chance explains a tenth.
-const LEAST: f64 = 0.4;
 /// Share of the surface that must hold an axis against turning.
-const HELD: f64 = 0.05;
+const HELD_SHARE: f64 = 0.05;
 /// Share of the surface by which axes are told apart.
-const ALIKE: f64 = 0.02;
+const AS_GOOD: f64 = 0.02;
 /// How many times as often the section may change along an axis that is as good.
 const OFTEN: f64 = 1.25;
 
-/// The axis of the faces, a unit vector of either sign; `None` where none explains enough of the surface.
-pub(crate) fn of_faces(points: &[[f64; 3]], index: &Index, noise: f64) -> Option<[f64; 3]> {
+/// The axis of the faces, a unit vector of either sign; `None` where none explains this `share` of the surface (chance
+/// explains a tenth).
+pub(crate) fn of_faces(points: &[[f64; 3]], index: &Index, noise: f64, share: f64) -> Option<[f64; 3]> {
     if noise > NO_SURFACE {
         return None;
     }
@@ -35,14 +34,14 @@ pub(crate) fn of_faces(points: &[[f64; 3]], index: &Index, noise: f64) -> Option
     let mut poses: Vec<(Pose, f64)> = candidates::directions(&facets)
         .into_iter()
         .map(|axis| Pose::along(axis, &facets))
-        .filter(|pose| pose.held(&facets) >= HELD)
+        .filter(|pose| pose.held(&facets) >= HELD_SHARE)
         .map(|pose| (pose, pose.explained(&facets)))
         .collect();
     let most = poses.iter().map(|p| p.1).fold(0.0, f64::max);
-    if most < LEAST {
+    if most < share {
         return None;
     }
-    poses.retain(|p| p.1 >= most - ALIKE);
+    poses.retain(|p| p.1 >= most - AS_GOOD);
     // Of those about one axis the best.
     poses.sort_by(|a, b| b.1.total_cmp(&a.1));
     let near = |a: [f64; 3], b: [f64; 3]| vec3::dot(a, b).abs() >= (2.0 * facets.off).cos();

@@ -4,14 +4,17 @@
 use super::axis;
 use crate::math::eigen3::eigen3;
 use crate::neighbors::Index;
+use crate::params::SectionParams;
+use crate::params::section::Axis;
 use crate::section::frame::SliceFrame;
-use crate::section::params::Axis;
 use crate::section::surface::spread::Spread;
 
 /// The frame of an axis; automatic ones look at the faces, or at the principal axes of the points.
-pub(crate) fn resolve(axis: Axis, points: &[[f64; 3]], index: &Index, noise: f64) -> SliceFrame {
+pub(crate) fn resolve(params: &SectionParams, points: &[[f64; 3]], index: &Index, noise: f64) -> SliceFrame {
+    let axis = params.axis;
     let given = SliceFrame::along(axis);
-    let faces = || if axis == Axis::Faces { axis::of_faces(points, index, noise) } else { None };
+    let faces =
+        || if axis == Axis::Faces { axis::of_faces(points, index, noise, params.axis_share) } else { None };
     given
         .or_else(|| SliceFrame::along(Axis::Vector(faces().map_or_else(|| automatic(axis, points), settle))))
         .unwrap_or(SliceFrame { axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] })

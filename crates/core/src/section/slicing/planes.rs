@@ -2,7 +2,8 @@
 //! exactly where the previous slice ends").
 
 use crate::error::Error;
-use crate::section::params::{MOST_PLANES, Planes, refuse};
+use crate::params::ParamValue;
+use crate::params::section::{MOST_PLANES, Planes};
 
 /// A slicing plane: its position along the axis and the slab it stands for, adjacent slabs sharing their bounds.
 pub(crate) type Cut = (f64, Option<[f64; 2]>);
@@ -20,7 +21,11 @@ pub(crate) fn cuts(planes: &Planes, low: f64, high: f64) -> Result<Vec<Cut>, Err
         Planes::Every(step) => {
             let many = ((high - low) / step).floor();
             if many >= MOST_PLANES as f64 {
-                return refuse("section.every", *step, "a step that gives at most 1000000 slices");
+                return Err(Error::Parameter {
+                    key: "section.planes".into(),
+                    value: planes.show(),
+                    expected: "expected a step that gives at most 1000000 slices".into(),
+                });
             }
             let first = 0.5 * (low + high) - 0.5 * (many + 1.0) * step;
             let edge = |k: usize| first + k as f64 * step;

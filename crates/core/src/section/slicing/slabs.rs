@@ -2,14 +2,15 @@
 
 use rayon::prelude::*;
 
-/// What lies within `half` of each plane, ascending: lists one after the other, and where each begins.
+/// The members of each slab, ascending: lists one after the other, and where each begins.
 pub(crate) struct Slabs {
     starts: Vec<usize>,
     indices: Vec<u32>,
 }
 
 impl Slabs {
-    /// Sorts what spans some heights into the slabs around ascending `planes`; slabs may overlap.
+    /// Sorts members by the heights that they span into the slabs that reach `half` to either side of ascending `planes`; slabs
+    /// may overlap.
     pub(crate) fn of(
         spans: impl IndexedParallelIterator<Item = (f64, f64)>,
         planes: &[f64],
@@ -38,12 +39,12 @@ impl Slabs {
         Self { starts, indices }
     }
 
-    /// What lies in one slab.
+    /// The members of one slab.
     pub(crate) fn of_plane(&self, plane: usize) -> &[u32] {
         &self.indices[self.starts[plane]..self.starts[plane + 1]]
     }
 
-    /// All that lies in a slab, out of `count`, ascending, each once.
+    /// The members of any slab, out of `count`, ascending, each once.
     pub(crate) fn union(&self, count: usize) -> Vec<u32> {
         let mut inside = vec![false; count];
         self.indices.iter().for_each(|&i| inside[i as usize] = true);

@@ -1,4 +1,4 @@
-//! A cloud cut at any heights: what holds for all slices, and the way from a slab to its section.
+//! A cloud cut at any heights: the values that all slices share, and the way from a slab to its section.
 
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
@@ -10,10 +10,11 @@ use super::{adaptive, direction};
 use crate::error::Error;
 use crate::frame::Localised;
 use crate::neighbors::Index;
+use crate::params::section::{Outline, Side};
+use crate::params::{Auto, SectionParams};
 use crate::section::frame::SliceFrame;
 use crate::section::outline;
-use crate::section::params::{Outline, SectionParams, Side};
-use crate::section::result::{self, FEWEST, Missing, Section, Sections};
+use crate::section::result::{self, FEWEST_POINTS, Missing, Section, Sections};
 use crate::section::surface::carry::{Bins, Carrier, CarryLimits, Sample};
 use crate::section::surface::plane::TangentPlane;
 use crate::section::surface::quad::QUAD;
@@ -24,9 +25,9 @@ use crate::section::surface::tiles::Tiles;
 
 /// How much farther than the slab reaches points are carried, unless a thickness is given, as points strewn at random leave
 /// holes in a thin slab: those with a plane each, and those of a flat tile, whose plane is surer.
-const FAR: [f64; 2] = [1.2, 2.0];
+const CARRY_FARTHER: [f64; 2] = [1.2, 2.0];
 
-/// A cloud to be cut across one axis, with what holds for all slices.
+/// A cloud to be cut across one axis, with the values that all slices share.
 pub(crate) struct Slicer<'a> {
     local: &'a Localised,
     index: &'a Index,
@@ -48,7 +49,7 @@ impl<'a> Slicer<'a> {
         observe: &'a (dyn Fn(f64) + Sync),
     ) -> Self {
         let texture = texture(&local.positions, index);
-        let frame = direction::resolve(params.axis, &local.positions, index, texture.noise);
+        let frame = direction::resolve(params, &local.positions, index, texture.noise);
         let tiles = Tiles::new(index, texture.noise, frame.axes[2]);
         let base = frame.coordinates(local.frame.offset)[2];
         Self { local, index, params, frame, scale: local.frame.scale, base, texture, tiles, observe }
@@ -70,12 +71,13 @@ impl<'a> Slicer<'a> {
 
     /// Planes at the middles of adaptive slabs.
     pub(crate) fn adapted(&self, start: usize, most: usize) -> Vec<Cut> {
+        let alike = self.params.alike_spacings.or(|| 0.15 + 0.5 * self.texture.noise);
         let limits = adaptive::Limits {
             start,
             most,
             thinnest: 2.0 * self.params.reach_spacings * self.texture.spacing * self.scale,
             step: self.texture.spacing,
-            alike: (0.15 + 0.5 * self.texture.noise) * self.texture.spacing,
+            alike: alike * self.texture.spacing,
         };
         let slabs = adaptive::slabs(self.extent(), limits, |heights| self.cut(heights));
         slabs.into_iter().map(|(low, high)| (0.5 * (low + high), Some([low, high]))).collect()
@@ -84,7 +86,10 @@ impl<'a> Slicer<'a> {
     /// Half the thickness of a slab, local frame.
     fn half(&self) -> f64 {
         let auto = self.params.reach_spacings * self.texture.widest;
-        self.params.thickness.map_or(auto, |t| 0.5 * t / self.scale)
+        match self.params.thickness {
+            Auto::Given(thickness) => 0.5 * thickness / self.scale,
+            Auto::Auto => auto,
+        }
     }
 
     /// The sections at some world heights, in their order.
@@ -115,18 +120,22 @@ impl<'a> Slicer<'a> {
         let chains = outline::contours(&samples, self.params, &self.texture);
         let missing = match (points, chains.len()) {
             (0, _) => Some(Missing::Empty),
-            (n, 0) if n < FEWEST => Some(Missing::TooFewPoints(n)),
+            (n, 0) if n < FEWEST_POINTS => Some(Missing::TooFewPoints(n)),
             (n, 0) => Some(Missing::NoCurve(n)),
             _ => None,
         };
-        let tolerance = self.params.tolerance.map_or_else(|| self.tolerance(), |t| t / self.scale);
+        let tolerance = self.tolerance();
         let contours = result::contours(chains, self.params.fit.then_some(tolerance));
         Section { plane: place.plane, height: place.height, slab: None, points, contours, missing }
     }
 
-    /// What the smoothing leaves of the noise, with room for a curve to differ.
+    /// How far fitted curves may lie from their contours, local frame: as given, or the noise that smoothing leaves, with
+    /// room for a curve to differ.
     fn tolerance(&self) -> f64 {
-        (0.1 + 0.6 * self.texture.noise) * self.texture.spacing
+        match self.params.tolerance {
+            Auto::Given(tolerance) => tolerance / self.scale,
+            Auto::Auto => (0.1 + 0.6 * self.texture.noise) * self.texture.spacing,
+        }
     }
 
     /// How many points lie in a slab, and the samples of those that can be carried to its plane.
@@ -178,19 +187,19 @@ impl<'a> Slicer<'a> {
         plane.centre = self.frame.coordinates(plane.centre);
         plane.centre[2] -= height;
         let far = |times: f64| match self.params.thickness {
-            Some(thickness) => 0.5 * thickness / self.scale / plane.spacing,
-            None => times * self.params.reach_spacings,
+            Auto::Given(thickness) => 0.5 * thickness / self.scale / plane.spacing,
+            Auto::Auto => times * self.params.reach_spacings,
         };
         let limits = CarryLimits {
-            half: far(if self.goes_far() { FAR[0] } else { 1.0 }),
-            far: far(FAR[1]),
+            half: far(if self.goes_far() { CARRY_FARTHER[0] } else { 1.0 }),
+            far: far(CARRY_FARTHER[1]),
             noise: self.texture.noise,
             carry: self.params.carry,
         };
         Carrier::new(plane, limits)
     }
 
-    /// The tiles, for what comes after the slices.
+    /// The tiles, for the stages after slicing.
     pub(crate) fn into_tiles(self) -> Tiles {
         self.tiles
     }

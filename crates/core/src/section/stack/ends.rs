@@ -18,7 +18,7 @@ mod split;
 
 use rayon::prelude::*;
 
-use super::kinds::outlines::{CLEAR, upright_deg};
+use super::kinds::outlines::{CLEAR_OF_FOLD, upright_deg};
 use super::result::Feature;
 use super::runs::Found;
 use crate::frame::Localised;
@@ -30,9 +30,9 @@ use ground::{Ground, Spot, ahead_of_start};
 use search::{Search, searches};
 use size::Size;
 
-/// Sets `from`, `to`, `range_error` of every run, and what a taper has at its ends, from the points between its slices
-/// and those just outside. The runs of a track come one after another. A taper that ends at no edge is none, nor is an
-/// extrusion between two where only its inner contours say so: any piece of a curved wall may look like one.
+/// Sets `from`, `to`, `range_error` of every run, and the apex and the radius of a taper, from the points between its slices
+/// and those just outside. The runs of a track come one after another. A taper is kept only if it ends at an edge, and
+/// an extrusion between two of which only the inner contours tell: any piece of a curved wall may look like one.
 pub(super) fn refine(
     local: &Localised,
     index: &Index,
@@ -83,7 +83,7 @@ pub(super) fn refine(
     runs.retain(|_| kept.next().unwrap_or(true));
 }
 
-/// Whether the ends of a run bear out what its contours show.
+/// Whether the ends of a run bear out its contours.
 fn holds(k: usize, runs: &[Found], ends: &[Option<End>], rims: &[bool], sections: &Sections) -> bool {
     let own = [ends[2 * k], ends[2 * k + 1]];
     let by = |of: fn(&End) -> bool| own.iter().flatten().any(of);
@@ -106,7 +106,7 @@ fn holds(k: usize, runs: &[Found], ends: &[Option<End>], rims: &[bool], sections
 
 /// Whether the walls of a run stand along the axis, but for one contour in four, clear of where it ends.
 fn stands(found: &Found, sections: &Sections) -> bool {
-    let (run, clear) = (&found.run, CLEAR * sections.spacing);
+    let (run, clear) = (&found.run, CLEAR_OF_FOLD * sections.spacing);
     let own = found.profiles.iter().filter(|p| (p.height - run.from).min(run.to - p.height) >= clear);
     let (mut count, mut upright) = (0, 0);
     for profile in own {
@@ -125,14 +125,14 @@ fn continue_radius(below: &Feature, above: &mut Feature) {
     }
 }
 
-/// One end of a run, by what its points show first, going away from its slice.
+/// One end of a run, by the first that its points show, going away from its slice.
 fn end(search: &Search, spots: &[Spot], size: &Size, sections: &Sections) -> Option<End> {
     let (h, noise) = (sections.spacing, sections.noise);
     let near = ahead_of_start(search, spots);
     let face = face::face(search, near, h, noise);
     let fold = if search.partly_upright() { fold::fold(search, spots, h, noise) } else { None };
     // Beside a face planes lean as well: a fold so near to one is its edge.
-    let edge = (fold::CLEAR.0 + fold::CLEAR.1 * noise) * h;
+    let edge = (fold::CLEAR_OF_EDGE.0 + fold::CLEAR_OF_EDGE.1 * noise) * h;
     let nearer = |a: End, b: End| {
         if search.ahead(a.height) <= search.ahead(b.height) + edge { a } else { b }
     };

@@ -1,8 +1,8 @@
-//! What a run of contours has in common: the same outline, one that moves evenly, circles about one line.
+//! The kinds of runs: contours of the same outline, of one that moves evenly, circles about one line.
 //!
-//! Any smooth object looks like an extrusion or a taper over a few close slices. What tells is how the run ends and how
-//! its wall stands: a wall that is one begins and ends at once, and its slices have the slope that their outlines show.
-//! A slice may stray where it cuts a face, and does so beside a fold; a few that stray little break no run.
+//! Any smooth object looks like an extrusion or a taper over a few close slices. The difference is in how the run ends
+//! and how its wall stands: a true wall begins and ends at once, and its slices have the slope that their outlines show.
+//! A slice may stray where it cuts a face, and does beside a fold; a few that stray a little do not break a run.
 
 mod extrusion;
 pub(crate) mod outlines;
@@ -12,7 +12,7 @@ mod taper;
 use outlines::{Outlines, Reached};
 
 /// The runs of the track, ascending. Extrusions come first, as they are the strictest, then tapers between them, then
-/// revolutions in what is left.
+/// revolutions in the rest.
 pub(crate) fn runs(outlines: &Outlines) -> Vec<Reached> {
     let mut found = outlines.extrusions();
     for kind in [Outlines::tapers, Outlines::revolutions] {

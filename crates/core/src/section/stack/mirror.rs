@@ -12,11 +12,11 @@ use crate::section::result::Sections;
 /// Angles looked at first, over half a turn.
 const ANGLES: usize = 180;
 /// Slices that mirrors are sought in at first, and points of each of their contours.
-const FEW: (usize, usize) = (8, 64);
+const FIRST_LOOK: (usize, usize) = (8, 64);
 /// Points of a contour that are mirrored to be sure.
 const POINTS: usize = 256;
 /// Most mirrors told: a round stack has any number.
-const MOST: usize = 16;
+const MOST_MIRRORS: usize = 16;
 
 /// The mirrors of a stack of closed contours; none where all are circles about one point. Sought in a few slices, and
 /// held against all.
@@ -28,15 +28,15 @@ pub(super) fn mirrors(levels: &[Vec<Profile>], sections: &Sections, tolerance: f
         return Vec::new();
     }
     let enough = 1.5 * tolerance;
-    let few: Vec<&[Profile]> = filled.iter().copied().step_by(filled.len().div_ceil(FEW.0)).collect();
-    let off = |angle: f64| worst(&few, centre, angle, FEW.1, 20.0 * enough);
+    let few: Vec<&[Profile]> = filled.iter().copied().step_by(filled.len().div_ceil(FIRST_LOOK.0)).collect();
+    let off = |angle: f64| worst(&few, centre, angle, FIRST_LOOK.1, 20.0 * enough);
     let sure = |angle: f64| {
         let residual = worst(&filled, centre, angle, POINTS, enough);
         (residual <= enough).then_some((residual, angle))
     };
     let mut found: Vec<(f64, f64)> = candidates(&off, enough).into_par_iter().filter_map(sure).collect();
     found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    found.truncate(MOST);
+    found.truncate(MOST_MIRRORS);
     let mirror = |(residual, angle): (f64, f64)| {
         let normal = left([angle.cos(), angle.sin()]);
         Mirror {
@@ -77,7 +77,7 @@ fn concentric(all: &[&Profile], tolerance: f64) -> bool {
 }
 
 /// Mean distance of mirrored points from the contours of the same slice: the greatest over the contours, but for one in
-/// ten, as a slice through an edge is drawn by chance. What is found so far once too many are beyond `enough`.
+/// ten, as a slice through an edge is drawn by chance. The value so far once too many are beyond `enough`.
 fn worst(levels: &[&[Profile]], centre: [f64; 2], angle: f64, points: usize, enough: f64) -> f64 {
     let direction = [angle.cos(), angle.sin()];
     let image = |p: [f64; 2]| {

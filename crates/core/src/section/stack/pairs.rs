@@ -1,17 +1,16 @@
-//! What becomes of an outline on its way to another one, point by point: each part of a wall that leans evenly moves evenly
-//! with height.
+//! The way of an outline to another one, point by point: each part of a wall that leans evenly moves evenly with height.
 
 use super::profile::Profile;
 use crate::math::vec2::{along, cross, distance, dot, sub, unit};
 
 /// Cosine of the angle within which walls face alike.
-const ALIKE: f64 = 0.7;
+const FACING_COSINE: f64 = 0.7;
 
 /// Points of the lower and of the higher outline that belong together, in order.
 pub(super) type Pair = ([f64; 2], [f64; 2]);
 
-/// The points of the larger outline, in order, with what its wall has become in the smaller. The other way round, points
-/// beside a corner would miss the side that has moved.
+/// The points of the larger outline, in order, each with its place on the smaller one. The other way round, points beside a
+/// corner would miss the side that has moved.
 pub(super) fn pairs(low: &Profile, high: &Profile, tolerance: f64) -> Vec<Pair> {
     if low.area >= high.area {
         onto(low, high, tolerance)
@@ -26,10 +25,10 @@ fn onto(from: &Profile, to: &Profile, tolerance: f64) -> Vec<Pair> {
     let [own, other] = [from, to].map(facing);
     let pair = |&(p, normal): &([f64; 2], [f64; 2])| {
         let (foot, off) = to.outline.nearest(p);
-        if off <= tolerance || dot(sub(foot, p), normal).abs() >= ALIKE * off {
+        if off <= tolerance || dot(sub(foot, p), normal).abs() >= FACING_COSINE * off {
             return (p, foot);
         }
-        let alike = other.iter().filter(|o| dot(o.1, normal) >= ALIKE).map(|o| o.0);
+        let alike = other.iter().filter(|o| dot(o.1, normal) >= FACING_COSINE).map(|o| o.0);
         let near = alike.min_by(|a, b| distance(*a, p).total_cmp(&distance(*b, p)));
         (p, near.unwrap_or(foot))
     };
@@ -53,7 +52,7 @@ pub(super) fn blend(pairs: &[Pair], share: f64) -> Vec<[f64; 2]> {
 }
 
 /// How the area grows with the square of the share of the way, were the walls to go on beyond both outlines: the area
-/// that the moves of its points enclose. What folds back on a straight wall encloses none.
+/// that the moves of its points enclose. Moves that fold back on a straight wall enclose none.
 pub(super) fn bent(pairs: &[Pair]) -> f64 {
     let moves: Vec<[f64; 2]> = pairs.iter().map(|&(a, b)| sub(b, a)).collect();
     let next = moves.iter().cycle().skip(1);

@@ -10,6 +10,10 @@ use crate::section::result::Sections;
 
 /// Most points of a contour that comparisons look at, about evenly along it.
 const POINTS: usize = 512;
+/// Neighbouring points of a comparison that make a stretch: one alone may be a rounded corner.
+const STRETCH: usize = 4;
+/// A stretch this far off, in tolerances, is a change of the outline, however small its share.
+const CHANGED: f64 = 5.0;
 
 /// A closed contour as the stack compares it; lengths in world units.
 #[derive(Clone, Debug)]
@@ -46,9 +50,6 @@ pub(super) struct Apart {
     /// A distance that some stretch of an outline keeps throughout.
     pub stretch: f64,
 }
-
-/// Neighbouring points of a comparison that make a stretch: one alone may be a rounded corner.
-const STRETCH: usize = 4;
 
 /// The planes ascending by height.
 pub(super) fn order(sections: &Sections) -> Vec<usize> {
@@ -148,6 +149,3 @@ impl Apart {
         self.mean <= tolerance && self.stretch <= CHANGED * tolerance
     }
 }
-
-/// A stretch this far off, in tolerances, is a change of the outline, however small its share.
-const CHANGED: f64 = 5.0;

@@ -1,6 +1,6 @@
-//! What a stack of slices says: runs of like contours, mirrors and repeats.
+//! Features of a stack of slices: runs of like contours, mirrors and repeats.
 
-/// What a stack of slices says.
+/// The features of a stack of slices.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stack {
     /// Runs of like contours, by height, then by contour.
@@ -14,7 +14,7 @@ pub struct Stack {
 /// A run of like contours through neighbouring slices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
-    /// What the contours have in common.
+    /// The kind of the run, with its measures.
     pub feature: Feature,
     /// Whether the contours are holes.
     pub hole: bool,
@@ -24,7 +24,7 @@ pub struct Run {
     pub to: f64,
     /// How far `from` and `to` may be off, world unit.
     pub range_error: [f64; 2],
-    /// Mean distance of the contours from what they have in common, world unit.
+    /// Mean distance of the contours from the feature, world unit.
     pub residual: f64,
     /// Centroid of the middle contour, world frame; the centre of a round one.
     pub centre: [f64; 3],
@@ -32,7 +32,7 @@ pub struct Run {
     pub contours: Vec<(usize, usize)>,
 }
 
-/// What a run of contours is.
+/// The kinds of runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Feature {
     /// The same outline throughout.

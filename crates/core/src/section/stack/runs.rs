@@ -7,13 +7,18 @@ use super::result::Run;
 use super::track::Track;
 use crate::section::result::Sections;
 
+/// One contour in so many that lies within another makes a run a hole: around the rest that other one is not closed.
+const HOLE: usize = 5;
+/// Most contours between two runs that meet: slices at the very edge may belong to neither.
+const BETWEEN: usize = 2;
+
 /// A run with its contours, ascending.
 pub(super) struct Found<'a> {
     pub run: Run,
     pub profiles: Vec<&'a Profile>,
     /// Whether the next run of the track begins where this one ends.
     pub joins_next: bool,
-    /// Whether too little of it shows what it is, so that its ends must.
+    /// Whether its contours alone show it too little, so that its ends must.
     pub doubtful: bool,
 }
 
@@ -28,11 +33,6 @@ impl<'a> Found<'a> {
         self.profiles[self.profiles.len() - 1]
     }
 }
-
-/// One contour in so many that lies within another makes a run a hole: around the rest that other one is not closed.
-const HOLE: usize = 5;
-/// Most contours between two runs that meet: slices at the very edge may belong to neither.
-const BETWEEN: usize = 2;
 
 /// The runs of a track, ascending.
 pub(super) fn runs<'a>(track: &Track<'a>, sections: &Sections, tolerance: f64) -> Vec<Found<'a>> {

@@ -3,6 +3,9 @@
 use super::profile::Profile;
 use crate::math::vec2::distance;
 
+/// Fewest slices of each kind where solid turns into a hole for good.
+const SIDE_SLICES: usize = 3;
+
 /// A contour followed through neighbouring slices, ascending, with the heights of the slices just outside of it.
 #[derive(Clone, Debug)]
 pub(super) struct Track<'a> {
@@ -24,11 +27,12 @@ struct Open<'a> {
 }
 
 /// Follows contours from slice to slice: solid to solid and hole to hole, or the same outline, nearest first by centroid
-/// and size. A slice that does not show a contour closed is passed over where `shown` says that it lies there nevertheless.
+/// and size. A slice that does not show a contour closed is passed over where `shown` says that it lies there nevertheless, at most so many `missed` in a row.
 pub(super) fn tracks<'a>(
     levels: &'a [Vec<Profile>],
     heights: &[f64],
     tolerance: f64,
+    missed: usize,
     shown: impl Fn(usize, &Profile) -> bool,
 ) -> Vec<Track<'a>> {
     let mut open: Vec<Open> = Vec::new();
@@ -39,7 +43,7 @@ pub(super) fn tracks<'a>(
         let mut taken = vec![false; level.len()];
         for (i, mut one) in open.into_iter().enumerate() {
             let found = pairs.iter().find(|p| p.0 == i).map(|p| p.1);
-            let passes = || one.missed < MISSED && one.track.profiles.last().is_some_and(|p| shown(k, p));
+            let passes = || one.missed < missed && one.track.profiles.last().is_some_and(|p| shown(k, p));
             if let Some(j) = found {
                 taken[j] = true;
                 one.track.profiles.push(&level[j]);
@@ -51,7 +55,7 @@ pub(super) fn tracks<'a>(
             }
         }
         for (j, profile) in level.iter().enumerate().filter(|(j, _)| !taken[*j]) {
-            let lowest = (k.saturating_sub(MISSED)..k).rev().take_while(|&l| shown(l, profile)).last();
+            let lowest = (k.saturating_sub(missed)..k).rev().take_while(|&l| shown(l, profile)).last();
             let below = lowest.unwrap_or(k).checked_sub(1).map(|k| heights[k]);
             let track = Track { profiles: vec![profile], below, above: None };
             next.push(Open { last: j, missed: 0, track });
@@ -63,16 +67,13 @@ pub(super) fn tracks<'a>(
     done.into_iter().flat_map(sides).collect()
 }
 
-/// Fewest slices of each kind where solid turns into a hole for good.
-const SIDE: usize = 3;
-
 /// A track in two where a hole goes on as a solid of the same outline, or the other way round.
 fn sides(track: Track) -> Vec<Track> {
     let all = &track.profiles;
     let turns = |k: &usize| all[*k].hole != all[k - 1].hole;
     let mut turn = (1..all.len()).filter(turns);
     match (turn.next(), turn.next()) {
-        (Some(k), None) if k >= SIDE && all.len() - k >= SIDE => {
+        (Some(k), None) if k >= SIDE_SLICES && all.len() - k >= SIDE_SLICES => {
             let (low, high) = all.split_at(k);
             let (above, below) = (Some(high[0].height), Some(low[k - 1].height));
             let low = Track { profiles: low.to_vec(), below: track.below, above };
@@ -81,9 +82,6 @@ fn sides(track: Track) -> Vec<Track> {
         _ => vec![track],
     }
 }
-
-/// Most slices in a row that a track passes over.
-const MISSED: usize = 6;
 
 /// Pairs of (open track, contour), each at most once.
 fn matched(open: &[Open], level: &[Profile], tolerance: f64) -> Vec<(usize, usize)> {

@@ -8,6 +8,15 @@
 use super::plane::TangentPlane;
 use crate::math::vec2::{along, dot, sub};
 
+/// Least sine of the angle between surface and plane: flatter faces do not say where they cross it.
+const LEAST_SINE: f64 = 0.1;
+/// Blur in local spacings from which on a crossing is uncertain.
+const WEAK_BLUR: f64 = 0.5;
+/// Length along the curve, in spacings, over which the points of a tile are taken together.
+const MERGED: f64 = 1.2;
+/// Places for them: a tile is about four spacings long, four that share a plane about eight.
+const BINS: usize = 12;
+
 /// Where the surface crosses the slicing plane, as one point of the slab or a few beside each other tell it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sample {
@@ -50,18 +59,12 @@ pub(crate) struct CarryLimits {
     pub carry: bool,
 }
 
-/// Least sine of the angle between surface and plane: flatter faces do not say where they cross it.
-const LEAST_SINE: f64 = 0.1;
-
-/// Blur in local spacings from which on a crossing is uncertain.
-const WEAK_BLUR: f64 = 0.5;
-
 /// Carries points to the slicing plane along one tangent plane.
 pub(crate) struct Carrier {
     plane: TangentPlane,
     limits: CarryLimits,
     sine: f64,
-    /// What a height moves a point by.
+    /// Shift of a point for each unit of height.
     down: [f64; 2],
     tangent: [f64; 2],
     blur: f64,
@@ -168,11 +171,6 @@ impl Carrier {
         self.blur > WEAK_BLUR || residual > (2.0 * self.limits.noise + 0.15) * spacing
     }
 }
-
-/// Length along the curve, in spacings, over which the points of a tile are taken together.
-const MERGED: f64 = 1.2;
-/// Places for them: a tile is about four spacings long, four that share a plane about eight.
-const BINS: usize = 12;
 
 /// The points of one plane, by their places along the curve.
 pub(crate) struct Bins([Bin; BINS]);

@@ -2,10 +2,13 @@
 //! each on its own.
 
 use super::plane::TangentPlane;
-use super::quad::BESIDE;
+use super::quad::CONTINUES_WITHIN;
 use super::tile::{NOISY, Tile, farthest};
 use crate::math::vec3;
 use crate::neighbors::{Leaf, WIDTH};
+
+/// Points of a leaf that may lie on no plane nearby: they are left out, as one of many that noise or an edge has moved.
+const STRAYS: usize = 1;
 
 /// A leaf whose points lie on planes next to it, place by place.
 pub(crate) struct Mixed {
@@ -38,7 +41,7 @@ pub(crate) fn mixed(
 fn shared(leaf: &Leaf, planes: &[Vec<TangentPlane>], noise: f64) -> Option<[TangentPlane; WIDTH]> {
     let mut best = [(farthest(noise), TangentPlane::NONE); WIDTH];
     for plane in planes.iter().flatten() {
-        let (base, reach) = (vec3::dot(plane.normal, plane.centre), BESIDE * plane.spacing);
+        let (base, reach) = (vec3::dot(plane.normal, plane.centre), CONTINUES_WITHIN * plane.spacing);
         let apart = leaf.distances2(plane.centre);
         if apart.iter().all(|&apart| apart > reach * reach) {
             continue;
@@ -54,6 +57,3 @@ fn shared(leaf: &Leaf, planes: &[Vec<TangentPlane>], noise: f64) -> Option<[Tang
     let strays = planes[..leaf.len()].iter().filter(|plane| plane.spacing <= 0.0).count();
     (strays <= STRAYS).then_some(planes)
 }
-
-/// Points of a leaf that may lie on no plane nearby: they are left out, as one of many that noise or an edge has moved.
-const STRAYS: usize = 1;

@@ -5,11 +5,11 @@ use super::spread::{self, Spread};
 use crate::math::vec3;
 
 /// Neighbours a plane is fitted to at first, the point itself included.
-pub(crate) const FIRST: usize = 12;
+pub(crate) const FIRST_NEIGHBORS: usize = 12;
 /// Most points of a plane under noise, the point itself included.
-pub(crate) const MOST: usize = 24;
+pub(crate) const MOST_NEIGHBORS: usize = 24;
 
-/// A tangent plane with what its fit says.
+/// A tangent plane with the residual of its fit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TangentPlane {
     /// Weighted mean of the neighbours.
@@ -23,7 +23,7 @@ pub(crate) struct TangentPlane {
 }
 
 impl TangentPlane {
-    /// Of a point that no plane is wanted of: shows none, and is adopted by none.
+    /// No plane: it is never adopted.
     pub(crate) const NONE: TangentPlane =
         TangentPlane { centre: [0.0; 3], normal: [0.0; 3], residual: f64::INFINITY, spacing: 0.0 };
 }
@@ -32,27 +32,27 @@ impl TangentPlane {
 pub(crate) struct Around {
     own: [f64; 3],
     /// `[0]` is the point itself; those from `count` on are zero and have no weight.
-    offsets: [[f64; 3]; MOST],
-    weights: [f64; MOST],
+    offsets: [[f64; 3]; MOST_NEIGHBORS],
+    weights: [f64; MOST_NEIGHBORS],
     count: usize,
 }
 
 impl Around {
-    /// The point `i` and at most `MOST - 1` of its neighbours `ids`, nearest first.
+    /// The point `i` and at most `MOST_NEIGHBORS - 1` of its neighbours `ids`, nearest first.
     pub(crate) fn gather(points: &[[f64; 3]], i: u32, ids: &[u32]) -> Self {
         let own = points[i as usize];
-        let mut offsets = [[0.0; 3]; MOST];
+        let mut offsets = [[0.0; 3]; MOST_NEIGHBORS];
         for (slot, &j) in offsets[1..].iter_mut().zip(ids) {
             *slot = vec3::sub(points[j as usize], own);
         }
-        Self { own, offsets, weights: [1.0; MOST], count: 1 + ids.len().min(MOST - 1) }
+        Self { own, offsets, weights: [1.0; MOST_NEIGHBORS], count: 1 + ids.len().min(MOST_NEIGHBORS - 1) }
     }
 
     /// The least-squares plane of the nearest.
     pub(crate) fn plain(&self) -> TangentPlane {
         let six = &self.offsets[1..self.count.min(7)];
         let sum: f64 = six.iter().map(|d| vec3::dot(*d, *d).sqrt()).sum();
-        self.plane(self.count.min(FIRST), sum / six.len().max(1) as f64).0
+        self.plane(self.count.min(FIRST_NEIGHBORS), sum / six.len().max(1) as f64).0
     }
 
     /// Two rounds of a fit in which a neighbour counts the less, the farther it is from the plane through the point.
@@ -63,7 +63,7 @@ impl Around {
         }
         let mut best = *first;
         for round in 0..2 {
-            let all_used = round > 0 || self.count <= FIRST;
+            let all_used = round > 0 || self.count <= FIRST_NEIGHBORS;
             if all_used && best.residual <= (0.8 * noise + 0.02) * first.spacing {
                 // No neighbour lies off the plane: weights change nothing but the time it takes.
                 break;

@@ -8,7 +8,13 @@ use crate::math::vec3;
 use crate::neighbors::Leaf;
 
 /// How far from the middle of four flat tiles another may continue them, in spacings.
-pub(crate) const BESIDE: f64 = 10.0;
+pub(crate) const CONTINUES_WITHIN: f64 = 10.0;
+/// How much wider than the median of its block a tile may be.
+const WIDEST_TILE: f64 = 3.0;
+/// Leaves next to each other that show together whether they are flat.
+pub(crate) const QUAD: usize = 4;
+/// How far from the middle of all four the middles of tiles that join may lie, in spacings: those in a row are too long.
+const JOINED_WITHIN: f64 = 4.0;
 
 /// Settles which tiles of one block are flat, and gives their planes. A tile counts as flat with the three next to it, as
 /// a bend that noise hides in one of them shows over all four; or alone, beside a crease, where it continues four flat ones.
@@ -53,26 +59,18 @@ pub(crate) fn settle(
 fn even(tiles: &mut [Tile]) -> f64 {
     let mut spacings: Vec<f64> = tiles.iter().map(|t| t.plane.spacing).collect();
     let middle = spacings.len() / 2;
-    let widest = WIDE * *spacings.select_nth_unstable_by(middle, f64::total_cmp).1;
+    let widest = WIDEST_TILE * *spacings.select_nth_unstable_by(middle, f64::total_cmp).1;
     tiles.iter_mut().filter(|t| t.plane.spacing > widest).for_each(|t| t.flat = false);
     widest
 }
 
-/// How much wider than the median of its block a tile may be.
-const WIDE: f64 = 3.0;
-
-/// Leaves next to each other that show together whether they are flat.
-pub(crate) const QUAD: usize = 4;
-
 /// Whether neighbouring tiles lie together on one plane as well as each on its own: no bend shows.
 fn joins(tiles: &[Tile], quad: &TangentPlane) -> bool {
     let own = tiles.iter().map(|t| t.plane.residual * t.plane.residual).sum::<f64>() / tiles.len() as f64;
-    let beside = |t: &Tile| t.flat && vec3::distance(t.plane.centre, quad.centre) <= TOGETHER * quad.spacing;
+    let beside =
+        |t: &Tile| t.flat && vec3::distance(t.plane.centre, quad.centre) <= JOINED_WITHIN * quad.spacing;
     tiles.len() == QUAD && quad.residual <= 1.1 * own.sqrt() + 0.01 * quad.spacing && tiles.iter().all(beside)
 }
-
-/// How far from the middle of all four the middles of tiles that join may lie, in spacings: those in a row are too long.
-const TOGETHER: f64 = 4.0;
 
 /// The plane of neighbouring tiles; its residual is infinite where they do not show one.
 fn quad(tiles: &[Tile], spreads: &[Spread]) -> TangentPlane {
@@ -87,7 +85,7 @@ fn quad(tiles: &[Tile], spreads: &[Spread]) -> TangentPlane {
 /// Whether the points of a tile lie on a plane nearby.
 fn continues(leaf: &Leaf, tile: &TangentPlane, plane: &TangentPlane, noise: f64) -> bool {
     let off = |p: [f64; 3]| vec3::dot(vec3::sub(p, plane.centre), plane.normal).abs() / plane.spacing;
-    vec3::distance(tile.centre, plane.centre) <= BESIDE * plane.spacing
+    vec3::distance(tile.centre, plane.centre) <= CONTINUES_WITHIN * plane.spacing
         && off(tile.centre) <= 0.5 * noise + 0.05
         && most_off(leaf, plane) <= farthest(noise) * plane.spacing
 }

@@ -3,6 +3,11 @@
 use crate::math::eigen3::eigen3;
 use crate::math::vec3;
 
+/// Share of the spread beside a straight line below which points show no plane.
+const LINE_SHARE: f64 = 1e-5;
+/// Newton steps towards the least eigenvalue before rotations take over.
+const STEPS: usize = 12;
+
 /// Weighted mean and covariance of points.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spread {
@@ -61,14 +66,8 @@ pub(crate) fn normal(tensor: &[f64; 6]) -> (f64, [f64; 3]) {
     let trace = xx + yy + zz;
     // The sum of the principal minors is the sum of the products of two eigenvalues: about the greatest times the rest.
     let minors = xx * yy - xy * xy + xx * zz - xz * xz + yy * zz - yz * yz;
-    if minors > LINE * trace * trace { (value, vector) } else { (value, [0.0; 3]) }
+    if minors > LINE_SHARE * trace * trace { (value, vector) } else { (value, [0.0; 3]) }
 }
-
-/// Share of the spread beside a straight line below which points show no plane.
-const LINE: f64 = 1e-5;
-
-/// Newton steps towards the least eigenvalue before rotations take over.
-const STEPS: usize = 12;
 
 /// The least eigenvalue of a tensor and its unit vector, the longest of the products of rows.
 ///

@@ -5,25 +5,25 @@
 
 use rayon::prelude::*;
 
-use super::plane::{Around, FIRST, MOST, TangentPlane};
+use super::plane::{Around, FIRST_NEIGHBORS, MOST_NEIGHBORS, TangentPlane};
 use super::sample::with_neighbors;
 use super::tile::{Tile, good};
 use super::tiles::Tiles;
 use crate::math::vec3;
 use crate::neighbors::{Index, WIDTH, nearest_leaves};
 
+/// No planes.
+const NO_PLANES: u32 = u32::MAX;
+
 /// The planes of the points of some leaves.
 pub(crate) struct TangentPlanes<'a> {
     tiles: &'a Tiles,
     /// For each leaf beside a crease, or that is not flat and was asked for, where its planes begin among those of the
-    /// tiles and then those here; else `NONE`.
+    /// tiles and then those here; else `NO_PLANES`.
     starts: Vec<u32>,
     /// Place by place, [`WIDTH`] for each of the leaves that were asked for.
     planes: Vec<TangentPlane>,
 }
-
-/// No planes.
-const NONE: u32 = u32::MAX;
 
 impl TangentPlanes<'_> {
     /// The plane at a point, if its leaf is flat or was asked for.
@@ -56,13 +56,13 @@ pub(crate) fn tangent_planes<'a>(
     wanted: &[u32],
     noise: f64,
 ) -> TangentPlanes<'a> {
-    let mut starts = vec![NONE; tiles.tiles.len()];
+    let mut starts = vec![NO_PLANES; tiles.tiles.len()];
     tiles.mixed.iter().zip((0..).step_by(WIDTH)).for_each(|(&leaf, start)| starts[leaf as usize] = start);
-    let unknown = |&l: &u32| !tiles.tiles[l as usize].flat && starts[l as usize] == NONE;
+    let unknown = |&l: &u32| !tiles.tiles[l as usize].flat && starts[l as usize] == NO_PLANES;
     let leaves: Vec<u32> = wanted.iter().copied().filter(unknown).collect();
     let first = tiles.planes.len() as u32;
     leaves.iter().zip((first..).step_by(WIDTH)).for_each(|(&leaf, start)| starts[leaf as usize] = start);
-    let count = ((12.0 + 50.0 * noise) as usize).clamp(FIRST, MOST) - 1;
+    let count = ((12.0 + 50.0 * noise) as usize).clamp(FIRST_NEIGHBORS, MOST_NEIGHBORS) - 1;
     let width = count.min(points.len().saturating_sub(1));
     let fits: Vec<Fits> = nearest_leaves(index, points, count, &leaves, |first, lists| {
         let mut fits = Fits::default();

@@ -7,7 +7,7 @@ use crate::math::vec3;
 use crate::neighbors::{Leaf, WIDTH};
 
 /// Fewest points of a tile that may stand for all of them.
-const FEWEST: f64 = 12.0;
+const FEWEST_POINTS: f64 = 12.0;
 /// Least variance along the shorter side of a tile that shows a plane by itself, in squared spacings: two rows of points do not show how the
 /// surface lies across them.
 pub(crate) const NARROW: f64 = 0.4;
@@ -59,7 +59,7 @@ impl Tile {
         let residual = (least.max(0.0) * weight / (weight - 3.0).max(1.0)).sqrt();
         let plane = TangentPlane { centre, normal, residual, spacing };
         let flat = noise <= NOISY
-            && weight >= FEWEST
+            && weight >= FEWEST_POINTS
             && residual <= good(noise) * spacing
             && most_off(leaf, &plane) <= farthest(noise) * spacing;
         let narrow = sides.shorter < NARROW * spacing * spacing;

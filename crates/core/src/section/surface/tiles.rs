@@ -29,7 +29,7 @@ impl Tiles {
     /// Fits every leaf; heights run along `axis`, a unit vector.
     pub(crate) fn new(index: &Index, noise: f64, axis: [f64; 3]) -> Self {
         let mut places = vec![0; index.len()];
-        // Filled by all threads, since the first touch of new memory is what costs.
+        // Filled by all threads, since the first touch of new memory costs most.
         let mut tiles: Vec<Tile> = index.leaves.par_iter().map(|_| Tile::EMPTY).collect();
         let block = |scratch: &mut Vec<Spread>, ((places, tiles), leaves): Block| {
             for (l, leaf) in leaves.iter().enumerate() {

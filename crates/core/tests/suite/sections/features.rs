@@ -8,7 +8,7 @@ use lineament::shapes::{self, Shape};
 
 fn features(cloud: &Cloud, axis: usize, count: usize) -> (Stack, f64) {
     let sections = cut(cloud, axis, count);
-    (stack(cloud, &sections).unwrap(), sections.spacing)
+    (stack(cloud, &sections, &SectionParams::default()).unwrap(), sections.spacing)
 }
 
 fn radius(run: &Run) -> Option<f64> {

@@ -1,4 +1,4 @@
-//! Directions that may be the axis: the normals that most of the surface has, what is square to two of them, and the principal
+//! Directions that may be the axis: the most common normals, the directions square to two of them, and the principal
 //! axes of normals and of places, which a turned part without any plane face shows.
 
 use super::facets::{Facet, Facets};
@@ -6,13 +6,13 @@ use crate::math::eigen3::eigen3;
 use crate::math::vec3;
 
 /// Facets that stand for all while normals are gathered.
-const SOME: usize = 1_000;
+const SAMPLE: usize = 1_000;
 /// Most common normals.
-const MOST: usize = 10;
+const MOST_NORMALS: usize = 10;
 /// Share of the surface below which a normal is not common.
-const COMMON: f64 = 0.01;
+const COMMON_SHARE: f64 = 0.01;
 /// Sine of the angle below which two directions are one.
-const ONE: f64 = 0.1;
+const SAME_SINE: f64 = 0.1;
 
 /// Unit vectors of either sign, no two of them alike.
 pub(crate) fn directions(facets: &Facets) -> Vec<[f64; 3]> {
@@ -20,7 +20,11 @@ pub(crate) fn directions(facets: &Facets) -> Vec<[f64; 3]> {
     let mut found = common.clone();
     for (i, &a) in common.iter().enumerate() {
         found.extend(
-            common[..i].iter().map(|&b| vec3::cross(a, b)).filter(|c| vec3::norm(*c) > ONE).map(vec3::unit),
+            common[..i]
+                .iter()
+                .map(|&b| vec3::cross(a, b))
+                .filter(|c| vec3::norm(*c) > SAME_SINE)
+                .map(vec3::unit),
         );
     }
     found.extend(eigen3(&facets.tensor(|f| f.normal)).vectors);
@@ -36,18 +40,18 @@ pub(crate) fn directions(facets: &Facets) -> Vec<[f64; 3]> {
 
 /// The normals that most of the surface has, one after the other.
 fn common_normals(facets: &Facets) -> Vec<[f64; 3]> {
-    let step = facets.all.len().div_ceil(SOME).max(1);
+    let step = facets.all.len().div_ceil(SAMPLE).max(1);
     let mut left: Vec<Facet> = facets.all.iter().step_by(step).copied().collect();
     let area: f64 = left.iter().map(|f| f.area).sum();
     let near = facets.off.cos();
     let mut found = Vec::new();
-    while found.len() < MOST {
+    while found.len() < MOST_NORMALS {
         let share = |n: [f64; 3]| {
             left.iter().filter(|f| vec3::dot(f.normal, n).abs() >= near).map(|f| f.area).sum::<f64>()
         };
         let shares = left.iter().map(|f| (share(f.normal), f.normal));
         let Some((most, normal)) = shares.max_by(|a, b| a.0.total_cmp(&b.0)) else { break };
-        if most < COMMON * area {
+        if most < COMMON_SHARE * area {
             break;
         }
         let mean =

@@ -2,15 +2,15 @@
 
 use crate::math::vec3;
 use crate::neighbors::Index;
-use crate::section::surface::plane::{Around, FIRST, MOST};
+use crate::section::surface::plane::{Around, FIRST_NEIGHBORS, MOST_NEIGHBORS};
 use crate::section::surface::sample::sampled;
 use crate::section::surface::tile::good;
 
 /// Residual, in spacings, that the bend of a bore adds to that of noise.
-const BENT: f64 = 0.05;
+const BORE_RESIDUAL: f64 = 0.05;
 /// How far, in standard deviations of all places, an axis may pass from a face that is turned about it.
-const FAR: f64 = 3.0;
-/// How far normals may be off, degrees: without noise, and what noise (in spacings) adds.
+const AXIS_REACH: f64 = 3.0;
+/// How far normals may be off, degrees: without noise, and for each spacing of noise.
 const OFF_DEG: (f64, f64) = (2.0, 12.0);
 
 /// A place on a face.
@@ -38,14 +38,14 @@ pub(crate) struct Facets {
 
 impl Facets {
     pub(crate) fn of(points: &[[f64; 3]], index: &Index, noise: f64) -> Self {
-        let around = ((12.0 + 50.0 * noise) as usize).clamp(FIRST, MOST) - 1;
+        let around = ((12.0 + 50.0 * noise) as usize).clamp(FIRST_NEIGHBORS, MOST_NEIGHBORS) - 1;
         let all = sampled(points, index, around, |i, near| facet(points, i, near, noise));
         let off = (OFF_DEG.0 + OFF_DEG.1 * noise).to_radians();
         let area: f64 = all.iter().map(|f| f.area).sum();
         let middle = [0, 1, 2].map(|k| all.iter().map(|f| f.area * f.at[k]).sum::<f64>() / area);
         let mut facets = Self { all, off, area, reach: 0.0, middle };
         let [xx, _, _, yy, _, zz] = facets.tensor(|f| facets.off_middle(f));
-        facets.reach = FAR * ((xx + yy + zz) / area).sqrt();
+        facets.reach = AXIS_REACH * ((xx + yy + zz) / area).sqrt();
         facets
     }
 
@@ -77,7 +77,7 @@ fn facet(points: &[[f64; 3]], i: u32, near: &[u32], noise: f64) -> Option<Facet>
     let mut around = Around::gather(points, i, near);
     let first = around.plain();
     let plane = around.anchored(&first, noise);
-    let flat = plane.residual <= (good(noise) + BENT) * plane.spacing && plane.normal != [0.0; 3];
+    let flat = plane.residual <= (good(noise) + BORE_RESIDUAL) * plane.spacing && plane.normal != [0.0; 3];
     let (spacing, at) = (plane.spacing, points[i as usize]);
     flat.then_some(Facet { at, normal: plane.normal, area: spacing * spacing, spacing })
 }

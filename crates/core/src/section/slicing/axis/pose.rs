@@ -9,13 +9,13 @@ use crate::math::vec3;
 const ROUNDS: usize = 8;
 const WIDER: [f64; 2] = [3.0, 2.0];
 /// How far from a line, in spacings, the normals of facets turned about it pass.
-const BESIDE: f64 = 0.5;
+const PASSES_WITHIN: f64 = 0.5;
 /// Radius, in shares of the reach, within which facets turned about a line tell no more than there.
-const NEAR: f64 = 0.1;
+const LEAST_RADIUS: f64 = 0.1;
 /// Weight, of the whole surface, by which a line stays where nothing moves it.
-const STAY: f64 = 1e-6;
+const STAY_WEIGHT: f64 = 1e-6;
 /// Height, in spacings, over which faces across the axis are one change of the section.
-const LEVEL: f64 = 2.0;
+const LEVEL_HEIGHT: f64 = 2.0;
 
 /// An axis, the unit direction, through a place.
 #[derive(Clone, Copy, Debug)]
@@ -69,7 +69,7 @@ impl Pose {
     /// The line of least squares for the facets that this one explains.
     fn settled(&self, facets: &Facets, off: f64) -> Option<Self> {
         let [u, v] = self.across();
-        let still = [([0.0, 0.0, STAY, 0.0], 0.0), ([0.0, 0.0, 0.0, STAY], 0.0)];
+        let still = [([0.0, 0.0, STAY_WEIGHT, 0.0], 0.0), ([0.0, 0.0, 0.0, STAY_WEIGHT], 0.0)];
         let [a, b, c, d] = least_squares(self.rows(facets, off).into_iter().chain(still))?;
         let move_by = |p: [f64; 3], x: f64, y: f64| vec3::add_scaled(vec3::add_scaled(p, u, x), v, y);
         Some(Self { axis: vec3::unit(move_by(self.axis, a, b)), through: move_by(self.through, c, d) })
@@ -81,7 +81,7 @@ impl Pose {
         [u, vec3::cross(self.axis, u)]
     }
 
-    /// How far off, as an angle, each facet is that the line explains, to first order in what the axis turns and the line
+    /// The angle by which each facet that the line explains is off, to first order in the turns of the axis and the
     /// shifts both ways across it; weighted by the root of its share of the surface.
     fn rows(&self, facets: &Facets, off: f64) -> Vec<([f64; 4], f64)> {
         let [u, v] = self.across();
@@ -101,7 +101,7 @@ impl Pose {
                 }
                 Some(Lie::Turned(radius)) => {
                     // Those near the axis would count most if each were held by its own radius.
-                    let radius = radius.max(NEAR * facets.reach);
+                    let radius = radius.max(LEAST_RADIUS * facets.reach);
                     let from = vec3::sub(f.at, self.through);
                     let past = |a: [f64; 3]| vec3::dot(n, vec3::cross(a, from)) / radius;
                     let shift = [v, u].map(|a| vec3::dot(n, a) / radius);
@@ -120,7 +120,7 @@ impl Pose {
         for (row, _) in self.rows(facets, facets.off) {
             (0..16).for_each(|k| m[k / 4][k % 4] += row[k / 4] * row[k % 4]);
         }
-        // What is left of turns once the line has shifted as suits them best.
+        // The turns, once the line has taken its best shift for each.
         for k in [3, 2] {
             if m[k][k] > f64::MIN_POSITIVE {
                 for (i, j) in (0..k).flat_map(|i| (0..k).map(move |j| (i, j))) {
@@ -149,7 +149,7 @@ impl Pose {
         let level = (1.0 - along * along).sqrt();
         // A line far off would be met by all normals across one direction.
         let near = radius > f.spacing && radius <= facets.reach;
-        let turned = near && past <= level * (radius * sine + BESIDE * f.spacing);
+        let turned = near && past <= level * (radius * sine + PASSES_WITHIN * f.spacing);
         turned.then_some(Lie::Turned(radius))
     }
 
@@ -169,7 +169,7 @@ impl Pose {
         let (mut sum, mut squares, mut level) = (0.0, 0.0, 0.0);
         let mut last = f64::NEG_INFINITY;
         for (height, area, spacing) in levels {
-            if height - last > LEVEL * spacing {
+            if height - last > LEVEL_HEIGHT * spacing {
                 squares += level * level;
                 level = 0.0;
             }

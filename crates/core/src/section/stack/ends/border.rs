@@ -7,12 +7,12 @@ use super::ground::Spot;
 use super::search::Search;
 
 /// How far from the last point an end is looked for, in spacings, and in standard deviations of the noise.
-const REACH: f64 = 1.0;
+const END_REACH: f64 = 1.0;
 /// Chance given to points that belong to nothing.
-const STRAY: f64 = 1e-3;
+const STRAY_CHANCE: f64 = 1e-3;
 /// Width, in spacings, of the strips whose points may be added at the end: points that keep their distance, or lie on a
 /// lattice, line up along a border, at most in one row more.
-const LINED: [f64; 6] = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5];
+const LINED_ROWS: [f64; 6] = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5];
 
 /// The end of the wall; `None` where it goes on to the end of the search, as when only a part of it ends.
 pub(super) fn border(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<End> {
@@ -44,7 +44,7 @@ pub(super) fn border(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Opt
 fn likeliest(points: &[f64], from: f64, last: f64, sigma: f64, h: f64) -> f64 {
     // One number more explains any points a little better: it has to be worth it (Schwarz's criterion).
     let worth = 0.5 * (points.len() as f64).ln();
-    let ends = LINED.map(|rows| {
+    let ends = LINED_ROWS.map(|rows| {
         let (end, log) = even_end(points, from, last, sigma, rows * h, h);
         (end, if rows > 0.0 { log - worth } else { log })
     });
@@ -56,12 +56,12 @@ fn even_end(points: &[f64], from: f64, last: f64, sigma: f64, more: f64, h: f64)
     let log = |e: f64| {
         let density = |p: f64| {
             let x = (e - p) / sigma;
-            below(x) + more / sigma * (-0.5 * x * x).exp() / TAU.sqrt() + STRAY
+            below(x) + more / sigma * (-0.5 * x * x).exp() / TAU.sqrt() + STRAY_CHANCE
         };
         let sum: f64 = points.iter().map(|&p| density(p).ln()).sum();
         sum - points.len() as f64 * (e - from + more).ln()
     };
-    let (mut low, mut high) = ((last - REACH * h - 4.0 * sigma).max(from + 0.5 * h), last + sigma);
+    let (mut low, mut high) = ((last - END_REACH * h - 4.0 * sigma).max(from + 0.5 * h), last + sigma);
     if low >= high {
         return (last, log(last));
     }

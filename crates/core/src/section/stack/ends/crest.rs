@@ -8,9 +8,11 @@ use crate::math::vec2::{distance, dot, left};
 /// How many standard errors a bend must have to be one.
 const CLEAR_BEND: f64 = 6.0;
 /// Cosine of the angle between the axis and the normals of points that may lie on a crest: 37 degrees.
-const ACROSS: f64 = 0.8;
+const CREST_COSINE: f64 = 0.8;
 /// How far outside of the points, in shares of their reach, the level place may lie.
 const OUTSIDE: f64 = 1.3;
+/// How often the points near a crest are gathered.
+const ROUNDS: usize = 2;
 
 /// The level height and the spread about a parabola over the distance from a centre.
 pub(super) fn ring(cluster: &[Spot], centre: [f64; 2]) -> Option<(f64, f64)> {
@@ -62,10 +64,10 @@ pub(super) struct Shown {
 
 /// The level height of a parabola over both coordinates. Where it is bent one way only, as over a bore, that way alone
 /// counts. The planes of noisy points lean by chance, and of a curved face fit best those points that noise has moved inwards,
-/// so that those which seem level lie off the surface: all `spots` near it tell.
+/// so that the points that seem level lie off the surface: all `spots` near it tell.
 pub(super) fn crest(cluster: &[Spot], spots: &[Spot], h: f64, noise: f64) -> Option<Shown> {
     let reach = (3.0 * noise + 0.2) * h;
-    let leans = |s: &Spot| s.normal[2].abs() < ACROSS;
+    let leans = |s: &Spot| s.normal[2].abs() < CREST_COSINE;
     let mut used = cluster.to_vec();
     let (mut found, mut spread) = Crest::fit(cluster)?;
     for _ in 0..ROUNDS {
@@ -82,35 +84,12 @@ pub(super) fn crest(cluster: &[Spot], spots: &[Spot], h: f64, noise: f64) -> Opt
     bent.then(|| Shown { height: found.level((0.5 * h).max(spread)), spread, level, count: used.len() })
 }
 
-/// How often the points near a crest are gathered.
-const ROUNDS: usize = 2;
-
 impl Crest {
     /// The parabola through points, a level where they are not bent, and the spread about it.
     fn fit(points: &[Spot]) -> Option<(Crest, f64)> {
-        let n = points.len() as f64;
-        let mean = |of: &dyn Fn(&Spot) -> f64| points.iter().map(of).sum::<f64>() / n;
-        let origin = [mean(&|s| s.at[0]), mean(&|s| s.at[1])];
-        let base = mean(&|s| s.height);
-        let mut all = Crest {
-            origin,
-            axes: [[1.0, 0.0], [0.0, 1.0]],
-            reach: 1.0,
-            height: base,
-            slopes: [0.0; 2],
-            bends: [0.0; 2],
-        };
-        all.reach = points
-            .iter()
-            .map(|s| all.place(s))
-            .fold(f64::MIN_POSITIVE, |r, [x, y]| r.max(x.abs()).max(y.abs()));
-        let row = |s: &Spot| {
-            let [x, y] = all.place(s);
-            ([1.0, x, y, x * x, x * y, y * y], s.height - base)
-        };
-        let [_, _, _, xx, xy, yy] = least_squares(points.iter().map(row))?;
-        let (sine, cosine) = (0.5 * xy.atan2(xx - yy)).sin_cos();
-        all.axes = [[cosine, sine], left([cosine, sine])];
+        let mut all = Crest::level_through(points);
+        let base = all.height;
+        all.turn_to_axes(points)?;
         let row = |s: &Spot| {
             let [u, v] = all.place(s);
             ([1.0, u, v, u * u, v * v], s.height - base)
@@ -139,6 +118,37 @@ impl Crest {
         (all.bends[across], all.bends[along]) = (c, 0.0);
         let spread = all.spread(points);
         Some((all, spread))
+    }
+
+    /// The mean height of points, with the middle and the reach of their places.
+    fn level_through(points: &[Spot]) -> Self {
+        let n = points.len() as f64;
+        let mean = |of: &dyn Fn(&Spot) -> f64| points.iter().map(of).sum::<f64>() / n;
+        let mut level = Crest {
+            origin: [mean(&|s| s.at[0]), mean(&|s| s.at[1])],
+            axes: [[1.0, 0.0], [0.0, 1.0]],
+            reach: 1.0,
+            height: mean(&|s| s.height),
+            slopes: [0.0; 2],
+            bends: [0.0; 2],
+        };
+        level.reach = points
+            .iter()
+            .map(|s| level.place(s))
+            .fold(f64::MIN_POSITIVE, |r, [x, y]| r.max(x.abs()).max(y.abs()));
+        level
+    }
+
+    /// Turns the axes of a level to those of the quadric through the points.
+    fn turn_to_axes(&mut self, points: &[Spot]) -> Option<()> {
+        let row = |s: &Spot| {
+            let [x, y] = self.place(s);
+            ([1.0, x, y, x * x, x * y, y * y], s.height - self.height)
+        };
+        let [_, _, _, xx, xy, yy] = least_squares(points.iter().map(row))?;
+        let (sine, cosine) = (0.5 * xy.atan2(xx - yy)).sin_cos();
+        self.axes = [[cosine, sine], left([cosine, sine])];
+        Some(())
     }
 
     /// A point along both axes, over the reach.

@@ -10,7 +10,7 @@ pub(crate) struct End {
     pub by: By,
 }
 
-/// What shows an end.
+/// The evidence for an end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum By {
     Face,

@@ -10,17 +10,19 @@ use super::search::Search;
 use crate::math::quantile::middle;
 
 /// Fewest points that show a face.
-const FACE: usize = 8;
+const FACE_POINTS: usize = 8;
 /// Share of the squared spread that a parabola may leave to be preferred to a level.
-const BETTER: f64 = 0.8;
-/// What it must explain, in shares of one point of the squared spread.
-const CLEARLY: f64 = 12.0;
+const PARABOLA_SHARE: f64 = 0.8;
+/// Least that it must explain, in shares of one point of the squared spread.
+const PARABOLA_GAIN: f64 = 12.0;
 /// How many times as many as seem level by chance show a face.
 const CHANCE: usize = 8;
 /// How many times as many show one of several, which is fitted by itself.
 const PART: usize = 3;
 /// How far apart, in spacings, points of one face lie at most.
-const APART: f64 = 3.0;
+const FACE_GAP: f64 = 3.0;
+/// How far, in spacings, a round face may leave its parabola, and a flat one its level.
+const MISFIT: (f64, f64) = (0.02, 1e-3);
 
 /// A height that points show.
 #[derive(Clone, Copy)]
@@ -32,9 +34,6 @@ struct Level {
     /// Whether a parabola tells it, which a round face leaves a little.
     bent: bool,
 }
-
-/// How far, in spacings, a round face may leave its parabola, and a flat one its level.
-const MISFIT: (f64, f64) = (0.02, 1e-3);
 
 /// The first face met going away from the slice: a cluster of heights without a gap.
 pub(super) fn face(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<End> {
@@ -59,15 +58,15 @@ pub(super) fn face(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Optio
 /// The height of a cluster that is as thin as the noise allows, as a level or as a parabola, or the first of several.
 fn settled(search: &Search, cluster: &[Spot], spots: &[Spot], h: f64, noise: f64) -> Option<End> {
     let whole = level(search, cluster, spots, h, noise)?;
-    let mut levels: Vec<Level> = parts(cluster, |s| s.at, APART * h)
+    let mut levels: Vec<Level> = parts(cluster, |s| s.at, FACE_GAP * h)
         .iter()
-        .filter(|part| part.len() >= PART * FACE)
+        .filter(|part| part.len() >= PART * FACE_POINTS)
         .filter_map(|part| level(search, part, spots, h, noise))
         .collect();
     let several = levels.len() > 1 && {
         let sum: f64 = levels.iter().map(|l| l.spread * l.spread * l.count as f64).sum();
         let count: usize = levels.iter().map(|l| l.count).sum();
-        2 * count > cluster.len() && sum / count as f64 <= whole.spread * whole.spread * BETTER
+        2 * count > cluster.len() && sum / count as f64 <= whole.spread * whole.spread * PARABOLA_SHARE
     };
     let first = if several {
         levels.sort_by(|a, b| search.ahead(a.height).total_cmp(&search.ahead(b.height)));
@@ -83,7 +82,7 @@ fn settled(search: &Search, cluster: &[Spot], spots: &[Spot], h: f64, noise: f64
 
 /// The level of a cluster, or the level place of the parabola that fits it far better.
 fn level(search: &Search, cluster: &[Spot], spots: &[Spot], h: f64, noise: f64) -> Option<Level> {
-    if cluster.len() < FACE {
+    if cluster.len() < FACE_POINTS {
         return None;
     }
     let (height, spread) = middle(&cluster.iter().map(|s| s.height).collect::<Vec<_>>());
@@ -94,7 +93,7 @@ fn level(search: &Search, cluster: &[Spot], spots: &[Spot], h: f64, noise: f64) 
     let centre = search.outline.round.map(|r| r.centre).filter(|_| !search.upright);
     let about = centre.and_then(|c| ring(cluster, c));
     let about = about.map(|(height, own)| Shown { height, spread: own, level: spread, count: cluster.len() });
-    let share = (1.0 - CLEARLY / cluster.len() as f64).min(BETTER);
+    let share = (1.0 - PARABOLA_GAIN / cluster.len() as f64).min(PARABOLA_SHARE);
     [about, crest(cluster, spots, h, noise)]
         .into_iter()
         .flatten()

@@ -3,15 +3,15 @@
 
 use super::end::{By, End};
 use super::ground::{Spot, ahead_of_start};
-use super::meet::{FEWEST, Fitted, Meet, meet};
+use super::meet::{FEWEST_MEETS, Fitted, Meet, meet};
 use super::rim;
 use super::search::Search;
 
 /// Share of the points on slanted walls that must show a fold.
-const SHARE: f64 = 0.35;
-/// How far from an edge, in spacings, planes show one face: without noise, and what noise (in spacings) adds.
-pub(super) const CLEAR: (f64, f64) = (1.6, 2.0);
-/// How far the leans of one wall spread, degrees: without noise, and what noise (in spacings) adds.
+const FOLD_SHARE: f64 = 0.35;
+/// How far from an edge, in spacings, planes show one face: without noise, and for each spacing of noise.
+pub(super) const CLEAR_OF_EDGE: (f64, f64) = (1.6, 2.0);
+/// How far the leans of one wall spread, degrees: without noise, and for each spacing of noise.
 const ALIKE_DEG: (f64, f64) = (4.0, 40.0);
 
 /// The height at which the slanted walls beside an outline meet it.
@@ -51,7 +51,7 @@ enum Lies {
 
 /// Slanted planes that are clear of their edge, by where they meet the outline.
 fn meets(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Vec<Meet> {
-    let clear = (CLEAR.0 + CLEAR.1 * noise) * h;
+    let clear = (CLEAR_OF_EDGE.0 + CLEAR_OF_EDGE.1 * noise) * h;
     let slanted = spots.iter().filter(|s| s.fits).filter_map(|s| meet(search, s, h, noise));
     let mut all: Vec<Meet> = slanted.filter(|m| m.off.hypot(m.own - m.ahead) >= clear).collect();
     all.sort_by(|a, b| a.ahead.total_cmp(&b.ahead));
@@ -63,7 +63,7 @@ fn straight(all: &[Meet], width: f64, h: f64, noise: f64, lies: Lies) -> Option<
     let window = |i: usize| i..all.partition_point(|a| a.ahead <= all[i].ahead + width);
     let fullest = (0..all.len()).map(window).max_by_key(|w| (w.len(), std::cmp::Reverse(w.start)))?;
     let found = &all[fullest];
-    if found.len() < FEWEST || (found.len() as f64) < SHARE * all.len() as f64 {
+    if found.len() < FEWEST_MEETS || (found.len() as f64) < FOLD_SHARE * all.len() as f64 {
         return None;
     }
     let at = |share: f64| found[((found.len() - 1) as f64 * share) as usize].ahead;
@@ -74,7 +74,7 @@ fn straight(all: &[Meet], width: f64, h: f64, noise: f64, lies: Lies) -> Option<
     };
     let there = found.iter().filter(lies_so).count();
     // A wall over the run's own may end before it reaches that.
-    let reach = (CLEAR.0 + CLEAR.1 * noise + 1.0) * h;
+    let reach = (CLEAR_OF_EDGE.0 + CLEAR_OF_EDGE.1 * noise + 1.0) * h;
     let reaches = lies == Lies::Beyond || found.iter().any(|a| a.off.hypot(a.own - ahead) <= reach);
     let error = 1.3 * (at(0.84) - at(0.16)) / (found.len() as f64).sqrt() + 1e-2 * h;
     let refined = line(all, ahead, width, noise).filter(|f| (f.ahead - ahead).abs() <= width);
@@ -88,7 +88,7 @@ fn line(all: &[Meet], ahead: f64, width: f64, noise: f64) -> Option<Fitted> {
     let mut leans: Vec<f64> = near.iter().map(|m| m.rise.atan().to_degrees()).collect();
     leans.sort_by(f64::total_cmp);
     let at = |share: f64| leans[((leans.len() - 1) as f64 * share) as usize];
-    if near.len() < FEWEST || at(0.84) - at(0.16) > ALIKE_DEG.0 + ALIKE_DEG.1 * noise {
+    if near.len() < FEWEST_MEETS || at(0.84) - at(0.16) > ALIKE_DEG.0 + ALIKE_DEG.1 * noise {
         return None;
     }
     let mut found = None;
@@ -109,7 +109,7 @@ fn line(all: &[Meet], ahead: f64, width: f64, noise: f64) -> Option<Fitted> {
         let error = sigma / cosine * (1.0 / n + lever * lever / wide).sqrt();
         found = Some(Fitted { ahead: y - x * sine / cosine, error }).filter(|f| f.ahead.is_finite());
         near.retain(|m| rest(m).abs() <= 2.5 * sigma);
-        if near.len() < FEWEST {
+        if near.len() < FEWEST_MEETS {
             break;
         }
     }

@@ -13,11 +13,13 @@ use crate::section::surface::tangents::tangent_planes;
 use crate::section::surface::tiles::Tiles;
 
 /// How far beside an outline its end is looked for, in spacings.
-pub(super) const BESIDE: f64 = 6.0;
+pub(super) const OUTLINE_REACH: f64 = 6.0;
 /// Most leaves of the index that are looked at for one end: of upright walls, of others.
 const LEAVES: [usize; 2] = [100, 300];
 /// Sine of the angle to the axis below which a wall counts as upright: 8 degrees.
 const UPRIGHT: f64 = 0.14;
+/// Cosine of the angle between a flat face's normal and the axis: 15 degrees.
+const FLAT: f64 = 0.966;
 
 /// A point beside an outline in the slice frame, world unit.
 #[derive(Clone, Copy)]
@@ -35,9 +37,6 @@ pub(super) struct Spot {
     pub fits: bool,
 }
 
-/// Cosine of the angle between a flat face's normal and the axis: 15 degrees.
-const FLAT: f64 = 0.966;
-
 impl Spot {
     /// Whether it lies on a face across the axis.
     pub(super) fn flat(&self) -> bool {
@@ -45,7 +44,7 @@ impl Spot {
     }
 }
 
-/// The cloud with what is known of its surface.
+/// The cloud with its tiles and sections.
 pub(super) struct Ground<'a> {
     local: &'a Localised,
     index: &'a Index,
@@ -99,10 +98,11 @@ impl<'a> Ground<'a> {
             }
             let [x, y, _] = self.sections.frame.coordinates(self.local.frame.to_world(tile.plane.centre));
             // A tile reaches about three spacings from its middle.
-            search.outline.outline.off_within([x, y], (BESIDE + 3.0) * h).is_some() || inside(search, [x, y])
+            search.outline.outline.off_within([x, y], (OUTLINE_REACH + 3.0) * h).is_some()
+                || inside(search, [x, y])
         };
         let found = (0..self.tiles.tiles.len() as u32).filter(near);
-        // An upright wall is most of what lies there, and tells least.
+        // Most leaves there are of an upright wall, which tells least.
         let axis = self.sections.frame.axes[2];
         let wall = |l: &u32| vec3::dot(self.tiles.tiles[*l as usize].plane.normal, axis).abs() < UPRIGHT;
         let (walls, others): (Vec<u32>, Vec<u32>) = found.partition(wall);
@@ -122,8 +122,8 @@ impl<'a> Ground<'a> {
         if !(low..=high).contains(&height) {
             return None;
         }
-        let near = search.outline.outline.nearest_within([x, y], (BESIDE + 1.0) * h);
-        let near = near.filter(|n| n.1 <= BESIDE * h);
+        let near = search.outline.outline.nearest_within([x, y], (OUTLINE_REACH + 1.0) * h);
+        let near = near.filter(|n| n.1 <= OUTLINE_REACH * h);
         let (foot, off) = match near {
             Some(near) => near,
             None if inside(search, [x, y]) => ([x, y], f64::INFINITY),

@@ -5,16 +5,17 @@ use super::search::Search;
 use crate::math::vec2::{dot, sub, unit};
 use crate::math::vec3;
 
-/// Least angle of a slanted wall to the axis, degrees: without noise, and what noise (in spacings) adds.
+/// Least angle of a slanted wall to the axis, degrees: without noise, and for each spacing of noise.
 const SLANTED_DEG: (f64, f64) = (10.0, 40.0);
 /// Fewest points that show a fold or a rim.
-pub(crate) const FEWEST: usize = 8;
+pub(crate) const FEWEST_MEETS: usize = 8;
 /// Cosine of the angle between axis and normal above which a plane is level: 4 degrees.
-const LEVEL: f64 = 0.9976;
+const LEVEL_COSINE: f64 = 0.9976;
 /// Cosine of the angle by which a slanted plane may fall aside.
-const ACROSS: f64 = 0.7;
+const ACROSS_COSINE: f64 = 0.7;
 /// How far beside an outline planes tell where they meet it, in spacings.
-const BESIDE: f64 = 6.0;
+const BESIDE_OUTLINE: f64 = 6.0;
+
 /// A slanted plane beside an outline.
 #[derive(Clone, Copy)]
 pub(super) struct Meet {
@@ -23,7 +24,7 @@ pub(super) struct Meet {
     /// How far ahead its point lies, and how far beside the outline.
     pub own: f64,
     pub off: f64,
-    /// How much the wall rises for what it falls aside.
+    /// Rise of the wall for each unit that it falls aside.
     pub rise: f64,
     pub foot: [f64; 2],
 }
@@ -38,7 +39,7 @@ pub(super) struct Fitted {
 pub(super) fn meet(search: &Search, s: &Spot, h: f64, noise: f64) -> Option<Meet> {
     let least = (SLANTED_DEG.0 + SLANTED_DEG.1 * noise).to_radians().sin();
     let lean = s.normal[2].abs();
-    if !(least..LEVEL).contains(&lean) || s.off > BESIDE * h || !faces_outline(s) {
+    if !(least..LEVEL_COSINE).contains(&lean) || s.off > BESIDE_OUTLINE * h || !faces_outline(s) {
         return None;
     }
     let [dx, dy] = to_foot(s);
@@ -55,7 +56,7 @@ pub(super) fn meet(search: &Search, s: &Spot, h: f64, noise: f64) -> Option<Meet
 /// Whether a plane falls towards the outline or away from it, and not along it as the flanks of a bore that opens there.
 fn faces_outline(s: &Spot) -> bool {
     let (normal, away) = (unit([s.normal[0], s.normal[1]]), unit(sub(s.at, s.foot)));
-    dot(normal, away).abs() >= ACROSS
+    dot(normal, away).abs() >= ACROSS_COSINE
 }
 /// Horizontal part of the way from a spot's plane to the foot.
 pub(super) fn to_foot(spot: &Spot) -> [f64; 2] {

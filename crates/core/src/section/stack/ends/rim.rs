@@ -2,25 +2,25 @@
 //! parabola along the outline, through the points of the slanted wall, tells that place.
 
 use super::ground::Spot;
-use super::meet::{FEWEST, Fitted, Meet, meet};
+use super::meet::{FEWEST_MEETS, Fitted, Meet, meet};
 use super::parts::parts;
 use super::search::Search;
 use crate::math::least_squares::least_squares;
 use crate::math::vec2::{along, distance, dot, sub, unit};
 
-/// How far from their edge, in spacings, points show one wall: without noise, and what noise (in spacings) adds.
-const OWN: (f64, f64) = (0.7, 2.0);
+/// How far from their edge, in spacings, points show one wall: without noise, and for each spacing of noise.
+const OWN_WALL: (f64, f64) = (0.7, 2.0);
 /// Width, in spacings, of the middle two thirds of a wall: planes at a sharp edge lean as well, but no farther from it.
-const WIDE: f64 = 1.5;
+const WALL_WIDTH: f64 = 1.5;
 /// How far beyond its level place, in spacings, a curve is followed.
 const RISE: f64 = 3.0;
 /// Standard errors of a bend that make it one, and the share of the squared spread that it may leave.
-const BENT: f64 = 6.0;
-const BETTER: f64 = 0.5;
+const BEND_ERRORS: f64 = 6.0;
+const PARABOLA_SHARE: f64 = 0.5;
 
 /// The level place of a curve along which slanted walls meet the outline.
 pub(super) fn rim(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option<Fitted> {
-    let own = (OWN.0 + OWN.1 * noise) * h;
+    let own = (OWN_WALL.0 + OWN_WALL.1 * noise) * h;
     let slack = (0.3 + noise) * h;
     let clear = |s: &&Spot| {
         let meets = meet(search, s, h, noise).is_some_and(|m| m.off.hypot(m.own - m.ahead) >= own);
@@ -35,12 +35,12 @@ pub(super) fn rim(search: &Search, spots: &[Spot], h: f64, noise: f64) -> Option
 /// The level place of the curve along which one wall meets a straight part of the outline.
 fn curve(search: &Search, group: &[Spot], h: f64, noise: f64) -> Option<Fitted> {
     let mut all: Vec<Meet> = group.iter().filter_map(|s| meet(search, s, h, noise)).collect();
-    if all.len() < 2 * FEWEST {
+    if all.len() < 2 * FEWEST_MEETS {
         return None;
     }
     all.sort_by(|a, b| a.off.total_cmp(&b.off));
     let at = |share: f64| all[((all.len() - 1) as f64 * share) as usize].off;
-    if at(0.84) - at(0.16) < WIDE * h {
+    if at(0.84) - at(0.16) < WALL_WIDTH * h {
         return None;
     }
     all.sort_by(|a, b| a.ahead.total_cmp(&b.ahead));
@@ -87,7 +87,7 @@ struct Bent {
     slope: f64,
     bend: f64,
     rise: f64,
-    /// What the rise gains by the squared place.
+    /// Growth of the rise with the squared place.
     gain: f64,
     /// Standard deviation about it.
     sigma: f64,
@@ -98,7 +98,7 @@ struct Bent {
 impl Bent {
     fn fit(all: &[Meet], place: impl Fn(&Meet) -> f64) -> Option<Bent> {
         let n = all.len() as f64;
-        if all.len() < 2 * FEWEST {
+        if all.len() < 2 * FEWEST_MEETS {
             return None;
         }
         let [a, k] = least_squares(all.iter().map(|m| ([1.0, m.off], m.own)))?;
@@ -114,7 +114,7 @@ impl Bent {
         let squares: Vec<f64> = all.iter().map(|m| place(m).powi(2)).collect();
         let mean = squares.iter().sum::<f64>() / n;
         let power = squares.iter().map(|x| (x - mean).powi(2)).sum::<f64>().sqrt();
-        bent.clearly = bend > BENT * bent.sigma / power && left <= BETTER * plain;
+        bent.clearly = bend > BEND_ERRORS * bent.sigma / power && left <= PARABOLA_SHARE * plain;
         Some(bent)
     }
 

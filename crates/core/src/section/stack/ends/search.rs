@@ -14,6 +14,7 @@ const BEHIND: f64 = 0.7;
 const SLOWLY: f64 = 4.0;
 /// How far around an end points show it, in spacings.
 const AROUND: f64 = 2.0;
+
 /// An end of a run that is looked for between two heights, the first at the run's own slice.
 pub(super) struct Search<'a> {
     pub outline: &'a Profile,
@@ -27,7 +28,7 @@ pub(super) struct Search<'a> {
     around: f64,
     /// Whether the walls stand along the axis.
     pub upright: bool,
-    /// For a taper an outline from its middle: what both have in common stands along the axis.
+    /// For a taper an outline from its middle: the parts that both share stand along the axis.
     other: Option<&'a Profile>,
 }
 
@@ -37,7 +38,7 @@ impl Search<'_> {
         (height - self.inner) * (self.outer - self.inner).signum()
     }
 
-    /// Heights of the points looked at: what shows an end lies around it.
+    /// Heights of the points looked at: those that show an end lie around it.
     pub(super) fn range(&self) -> (f64, f64) {
         let far = self.outer + self.around * (self.outer - self.inner).signum();
         let start = self.inner - self.slowly * (self.outer - self.inner).signum();

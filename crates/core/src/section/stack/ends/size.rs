@@ -8,12 +8,15 @@ use crate::section::stack::result::Feature;
 use crate::section::stack::runs::Found;
 
 /// How far from the last contour an apex is looked for, in spacings.
-const NEAR: f64 = 12.0;
-
-/// How far from the ends of a run, in spacings, its slices show nothing of what lies beyond.
-const CLEAR: f64 = 2.0;
+const APEX_REACH: f64 = 12.0;
+/// How far from the ends of a run, in spacings, its slices show nothing of the next wall.
+const CLEAR_OF_ENDS: f64 = 2.0;
 /// Fewest of them that are taken alone.
-const FEW: usize = 4;
+const FEWEST_CLEAR: usize = 4;
+/// How near to a line, or to a square, the moves must come to count as it; in squares.
+const NEARLY: f64 = 0.4;
+/// Least squared standard errors that the free parabola must explain more, to be preferred.
+const FREE_GAIN: f64 = 9.0;
 
 /// Area, and radius if round, as polynomials of the height over the middle.
 #[derive(Clone, Debug)]
@@ -31,9 +34,9 @@ pub(super) struct Size {
 impl Size {
     pub(super) fn new(found: &Found, h: f64, tolerance: f64) -> Self {
         let all = &found.profiles;
-        let (low, high) = (all[0].height + CLEAR * h, all[all.len() - 1].height - CLEAR * h);
+        let (low, high) = (all[0].height + CLEAR_OF_ENDS * h, all[all.len() - 1].height - CLEAR_OF_ENDS * h);
         let clear: Vec<&Profile> = all.iter().copied().filter(|p| (low..=high).contains(&p.height)).collect();
-        let sure = clear.len() >= FEW;
+        let sure = clear.len() >= FEWEST_CLEAR;
         let own = if sure { &clear } else { all };
         let middle = 0.5 * (own[0].height + own[own.len() - 1].height);
         let areas: Vec<[f64; 2]> = own.iter().map(|p| [p.height - middle, p.area]).collect();
@@ -91,10 +94,10 @@ impl Size {
     pub(super) fn to_apex(&self, outer: [f64; 2], own: [f64; 2], h: f64) -> [f64; 2] {
         let apex = self.apex();
         let [below, above] = outer;
-        if apex > own[1] && apex - own[1] <= NEAR * h {
+        if apex > own[1] && apex - own[1] <= APEX_REACH * h {
             return [below, above.max(apex + 2.0 * h)];
         }
-        if apex < own[0] && own[0] - apex <= NEAR * h {
+        if apex < own[0] && own[0] - apex <= APEX_REACH * h {
             return [below.min(apex - 2.0 * h), above];
         }
         outer
@@ -123,7 +126,7 @@ fn bent(low: &Profile, high: &Profile, tolerance: f64) -> f64 {
 }
 
 /// The area of an outline whose parts each move evenly: the line of one that moves in a part only, the square of one that
-/// shrinks all round, or what lies between, as the moves tell; the free parabola where that explains far more.
+/// shrinks all round, or a mean of both, as the moves tell; the free parabola where that explains far more.
 fn quadratic(areas: &[[f64; 2]], bent: f64) -> [f64; 3] {
     let mapped =
         |of: &dyn Fn(&[f64; 2]) -> f64| line(&areas.iter().map(|p| [p[0], of(p)]).collect::<Vec<_>>());
@@ -143,14 +146,8 @@ fn quadratic(areas: &[[f64; 2]], bent: f64) -> [f64; 3] {
     let free = parabola(areas);
     let rest =
         |[a, b, c]: [f64; 3]| areas.iter().map(|[x, area]| (area - a - (b + c * x) * x).powi(2)).sum::<f64>();
-    if rest(told) <= rest(free) * (1.0 + BENT / freedom) { told } else { free }
+    if rest(told) <= rest(free) * (1.0 + FREE_GAIN / freedom) { told } else { free }
 }
-
-/// How near to the line or the square the moves put what is taken for it, in squares.
-const NEARLY: f64 = 0.4;
-
-/// What a square must explain, in squared standard errors, to be one.
-const BENT: f64 = 9.0;
 
 /// Real roots of `a + b x + c x^2`.
 fn roots([a, b, c]: [f64; 3]) -> Vec<f64> {
@@ -207,7 +204,7 @@ mod tests {
         let mut found = roots(quadratic(&[area(0.26), area(0.43)], -3.6));
         found.sort_by(f64::total_cmp);
         assert!(found[0].abs() < 1e-9, "{found:?}");
-        // What is nearly a line or a square is one, whatever noise makes of the moves.
+        // A near line or square counts as one, whatever noise makes of the moves.
         assert_eq!(quadratic(&[[0.0, 1.0], [1.0, 2.0]], 0.01), [1.0, 1.0, 0.0]);
         let square = quadratic(&[[0.0, 1.0], [1.0, 4.0]], 1.2);
         assert!(square.iter().zip([1.0, 2.0, 1.0]).all(|(a, b)| (a - b).abs() < 1e-9), "{square:?}");

@@ -4,8 +4,8 @@ use super::end::{By, End};
 use super::search::Search;
 use crate::curve::polygon;
 
-/// Gives ends that nothing shows the height of what another run shows there: one that begins where it ends, or the other way
-/// round, over or under it. Searches and ends come in pairs, below and above.
+/// Gives ends without evidence of their own the height that another run shows there: one that begins where it ends, or the
+/// other way round, over or under it. Searches and ends come in pairs, below and above.
 pub(super) fn share(searches: &[Search], ends: &mut [Option<End>]) {
     let known: Vec<(usize, End)> = ends
         .iter()

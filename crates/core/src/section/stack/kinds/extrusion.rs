@@ -1,16 +1,15 @@
 //! Runs of the same outline.
 
-use super::outlines::{ASTRAY, CLEAR, FOLD, JUMP, Outlines, Reached};
+use super::outlines::{ASTRAY, CLEAR_OF_FOLD, FOLD, JUMP, Outlines, Reached};
 use crate::section::stack::result::Feature;
 
 /// Share of a run's contours that must be circles for it to be round.
-const ROUND: f64 = 0.6;
-
+const ROUND_SHARE: f64 = 0.6;
 /// Slices, and height in spacings, over which a like outline shows upright walls.
-const MANY: usize = 3;
-const LONG: f64 = 4.0;
+const UPRIGHT_SLICES: usize = 3;
+const UPRIGHT_HEIGHT: f64 = 4.0;
 /// Fewer slices show little of how walls stand.
-const FEW: usize = 5;
+const FEW_SLICES: usize = 5;
 
 impl Outlines<'_> {
     /// All extrusions of the track, ascending.
@@ -75,7 +74,7 @@ impl Outlines<'_> {
             return None;
         }
         let radii: Vec<f64> = own.iter().filter_map(|&k| self.all[k].round.map(|r| r.radius)).collect();
-        let round = radii.len() as f64 >= ROUND * own.len() as f64;
+        let round = radii.len() as f64 >= ROUND_SHARE * own.len() as f64;
         let radius = round.then(|| radii.iter().sum::<f64>() / radii.len() as f64);
         let residual = own.iter().map(|&k| self.apart(k, middle).mean).fold(0.0, f64::max);
         Some(Reached { first, last, feature: Feature::Extrusion { radius }, residual, doubtful })
@@ -112,7 +111,7 @@ impl Outlines<'_> {
     /// so alike throughout; about the widest slice of a sphere they lean the more, the farther from it.
     fn upright(&self, first: usize, last: usize) -> bool {
         let inner = self.clear(first, last);
-        let long = inner.len() >= MANY && {
+        let long = inner.len() >= UPRIGHT_SLICES && {
             let (low, high) = (inner[0], inner[inner.len() - 1]);
             let quarter = (high - low) / 4;
             let alike = |of: &dyn Fn(usize) -> f64| {
@@ -120,11 +119,11 @@ impl Outlines<'_> {
                 let ends = [(low, low + quarter), (high - quarter, high)].map(|(a, b)| self.median(a, b, of));
                 ends[0].min(ends[1]) - middle <= 0.5 * self.slopes[0]
             };
-            let tall = self.all[high].height - self.all[low].height >= LONG * self.spacing;
+            let tall = self.all[high].height - self.all[low].height >= UPRIGHT_HEIGHT * self.spacing;
             tall && alike(&|k| self.draft(k)) && alike(&|k| self.steepest(k))
         };
         // Beside a face the planes of single points stray, and of few slices most may lie there.
-        let few = self.noisy && last + 1 - first < FEW && self.edged(first, last);
+        let few = self.noisy && last + 1 - first < FEW_SLICES && self.edged(first, last);
         let (slack, steep_slack) = if long { (2.0, 2.0) } else { (1.0, if few { 1.5 } else { 1.0 }) };
         let steep = if few && last == first + 1 {
             self.steepest(first).min(self.steepest(last))
@@ -152,7 +151,8 @@ impl Outlines<'_> {
     fn clear(&self, first: usize, last: usize) -> Vec<usize> {
         let clear = |k: &usize| {
             let height = self.all[*k].height;
-            (height - self.all[first].height).min(self.all[last].height - height) >= CLEAR * self.spacing
+            (height - self.all[first].height).min(self.all[last].height - height)
+                >= CLEAR_OF_FOLD * self.spacing
         };
         (first..=last).filter(clear).collect()
     }

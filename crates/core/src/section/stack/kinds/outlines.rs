@@ -9,14 +9,14 @@ use crate::section::stack::result::Feature;
 /// How far an outline jumps, in tolerances, where an extrusion or a taper ends within a track.
 pub(crate) const JUMP: f64 = 3.0;
 /// How far the middle of a wall, and nine tenths of an extrusion's, may stand from the slope of the run, degrees: without
-/// noise, and what noise (in spacings) adds.
+/// noise, and for each spacing of noise.
 const SLOPE_DEG: [(f64, f64); 2] = [(1.0, 8.0), (3.0, 12.0)];
 /// How far beside a fold, in spacings, slices show a mean of both walls.
 pub(crate) const FOLD: f64 = 1.2;
 /// How far from an edge, in spacings, walls do not lean from it.
-pub(crate) const CLEAR: f64 = 2.0 * FOLD;
+pub(crate) const CLEAR_OF_FOLD: f64 = 2.0 * FOLD;
 /// Noise in spacings above which walls beside a face may seem to lean.
-const NOISY: f64 = 0.15;
+const NOISY_WALLS: f64 = 0.15;
 /// Contours in a row that may stray within a run.
 pub(crate) const ASTRAY: usize = 2;
 
@@ -25,18 +25,18 @@ pub(crate) fn upright_deg(noise: f64) -> f64 {
     1.5 * (SLOPE_DEG[1].0 + SLOPE_DEG[1].1 * noise)
 }
 
-/// Contours `first` to `last` of a track, what they have in common, and how well.
+/// Contours `first` to `last` of a track, the feature that they have in common, and how well.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reached {
     pub first: usize,
     pub last: usize,
     pub feature: Feature,
     pub residual: f64,
-    /// Whether too little of it shows what it is, so that its ends must.
+    /// Whether its contours alone show it too little, so that its ends must.
     pub doubtful: bool,
 }
 
-/// The contours of a track, ascending, with what is asked of pairs of them more than once.
+/// The contours of a track, ascending, with the distances of pairs that have been asked for.
 pub(crate) struct Outlines<'a> {
     /// Ascending.
     pub all: &'a [&'a Profile],
@@ -55,7 +55,14 @@ impl<'a> Outlines<'a> {
     /// For outlines that agree within `tolerance`, in a cloud of this spacing and this noise in spacings.
     pub(crate) fn new(all: &'a [&'a Profile], tolerance: f64, spacing: f64, noise: f64) -> Self {
         let slopes = SLOPE_DEG.map(|(clean, noisy)| clean + noisy * noise);
-        Self { all, tolerance, spacing, slopes, noisy: noise > NOISY, pairs: RefCell::new(BTreeMap::new()) }
+        Self {
+            all,
+            tolerance,
+            spacing,
+            slopes,
+            noisy: noise > NOISY_WALLS,
+            pairs: RefCell::new(BTreeMap::new()),
+        }
     }
 
     pub(crate) fn apart(&self, i: usize, j: usize) -> Apart {

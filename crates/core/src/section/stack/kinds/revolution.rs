@@ -7,7 +7,7 @@ use crate::math::vec2::distance;
 use crate::section::stack::result::Feature;
 
 /// Fewest slices of a revolution: two always agree, and a third may by chance.
-const LEAST: usize = 4;
+const FEWEST_SLICES: usize = 4;
 
 impl Outlines<'_> {
     /// The revolutions among contours `first` to before `end`, ascending.
@@ -22,7 +22,7 @@ impl Outlines<'_> {
     }
 
     fn revolution(&self, first: usize, end: usize) -> Option<Reached> {
-        let (last, residual) = reach(first, end, LEAST, |last| self.concentric(first, last))?;
+        let (last, residual) = reach(first, end, FEWEST_SLICES, |last| self.concentric(first, last))?;
         let radii = self.all[first..=last].iter().filter_map(|p| p.round.map(|r| r.radius));
         let (least, most) = radii.fold((f64::INFINITY, 0.0f64), |(l, m), r| (l.min(r), m.max(r)));
         let feature = self.straight(first, last).unwrap_or(Feature::Revolution { least, most });

@@ -7,13 +7,13 @@ use crate::section::stack::profile::Profile;
 use crate::section::stack::result::Feature;
 
 /// Fewest slices of a taper that may end as its outline leaves it; fewer must end where the wall folds.
-const LEAST: usize = 4;
-/// Least fold at the ends of a taper, in what its own bend, or what is taken for none, would be there.
+const FEWEST_SLICES: usize = 4;
+/// Least fold at the ends of a taper, as a multiple of its own bend continued to there, or of the slope taken for straight.
 const SHARP: f64 = 4.0;
-/// How far the halves of a taper may lean apart, in slopes that are taken for none.
+/// How far the halves of a taper may lean apart, as a multiple of the slope taken for straight.
 const BEND: f64 = 1.5;
 /// Radius in spacings below which a contour says little.
-const SMALL: f64 = 3.0;
+const SMALL_RADIUS: f64 = 3.0;
 
 impl Outlines<'_> {
     /// The tapers among contours `first` to before `end`, ascending.
@@ -44,14 +44,14 @@ impl Outlines<'_> {
         let (span, moved) = (high.height - low.height, high.beyond(low));
         let angle_deg = (moved / span).atan().to_degrees();
         let sides = [(first, false), (last, true)];
-        let short = last + 1 - first < LEAST;
+        let short = last + 1 - first < FEWEST_SLICES;
         let folds = sides.map(|(end, up)| self.folds(first, last, end, up));
         let ends = if short {
             !folds.contains(&Some(false))
         } else {
             sides.iter().all(|&(end, up)| self.leaves(first, last, end, up))
         };
-        // Less than the extrusion's own tolerance to both sides is none.
+        // A smaller move is within an extrusion's own tolerance to both sides.
         let moves = self.apart(first, last).mean >= 3.0 * self.tolerance;
         if !moves || !ends || !self.leans(first, last, short) {
             return None;
@@ -175,7 +175,7 @@ impl Outlines<'_> {
         let own = self.all[end].height;
         let tells = |&k: &usize| {
             let p = self.all[k];
-            let small = (p.area / std::f64::consts::PI).sqrt() < SMALL * self.spacing;
+            let small = (p.area / std::f64::consts::PI).sqrt() < SMALL_RADIUS * self.spacing;
             (p.height - own).abs() >= FOLD * self.spacing && !small
         };
         self.outside(end, up).filter(tells).take(2).collect()

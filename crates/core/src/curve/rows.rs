@@ -1,0 +1,45 @@
+//! The parts that all least-squares fits of B-splines share: chord-length parameters and the rows of the normal equations.
+
+use super::bspline::{BSpline, MAX_DEGREE};
+use crate::math::points::distance;
+
+/// Chord-length parameters from zero, and the whole length.
+pub(super) fn chord_lengths<const D: usize>(points: &[[f64; D]], closed: bool) -> (Vec<f64>, f64) {
+    let mut length = 0.0;
+    let mut parameters = Vec::with_capacity(points.len());
+    for (i, &p) in points.iter().enumerate() {
+        if i > 0 {
+            length += distance(points[i - 1], p);
+        }
+        parameters.push(length);
+    }
+    if let (true, Some(&first), Some(&last)) = (closed, points.first(), points.last()) {
+        length += distance(first, last);
+    }
+    (parameters, length)
+}
+
+/// The control points that act at a parameter, with their weights; `degree + 1` of them count.
+pub(super) fn terms<const D: usize>(curve: &BSpline<D>, t: f64) -> [(usize, f64); MAX_DEGREE + 1] {
+    let (controls, weights) = curve.basis(t);
+    std::array::from_fn(|k| (controls[k], weights[k]))
+}
+
+/// Adds the row `sum of terms = target` to normal equations: to the right side, and by `add(i, j, x)` to the matrix, each
+/// pair of terms once.
+pub(super) fn add_row<const D: usize>(
+    terms: &[(usize, f64)],
+    target: [f64; D],
+    weight: f64,
+    right: &mut [[f64; D]],
+    mut add: impl FnMut(usize, usize, f64),
+) {
+    for (n, &(i, a)) in terms.iter().enumerate() {
+        for (x, t) in right[i].iter_mut().zip(target) {
+            *x += weight * a * t;
+        }
+        for &(j, b) in &terms[n..] {
+            add(i, j, weight * a * b);
+        }
+    }
+}
