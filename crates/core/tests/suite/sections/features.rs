@@ -3,7 +3,7 @@
 use super::{cut, scanned};
 
 use lineament::Cloud;
-use lineament::section::{Feature, Run, Stack, stack};
+use lineament::section::{Feature, Run, SectionParams, Stack, stack};
 use lineament::shapes::{self, Shape};
 
 fn features(cloud: &Cloud, axis: usize, count: usize) -> (Stack, f64) {
