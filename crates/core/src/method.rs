@@ -33,11 +33,10 @@ pub(crate) fn link(
     match params.method {
         Method::Penalty | Method::Projection => {
             let rule = cycle_rule(cloud, params);
-            (link::link(&cloud.graph, measure, cloud.resolution, &params.spanning, rule), None)
+            (link::link(&cloud.graph, measure, cloud.resolution, params, rule), None)
         }
         Method::Segments => {
-            let (pattern, stages) =
-                segments::link(cloud, measure, &params.segments, cycle_rule(cloud, params));
+            let (pattern, stages) = segments::link(cloud, measure, params, cycle_rule(cloud, params));
             (pattern, Some(stages))
         }
     }

@@ -36,6 +36,13 @@ sections! {
         /// Share of the curvature penalty in the crease weight, the rest being direction (0.5 without noise, 0.2 with
         /// much); auto: from the noise.
         alpha: Auto<f64> = Auto::Auto, "", 0.0..=1.0;
+        /// Curvature penalty below which a point may lie on a crease (robust form only).
+        candidate: f64 = 0.75, "", 0.0..=1.0;
+        /// Least open angle of a point on a border (robust form only).
+        opening_deg: f64 = 72.0, "degrees", 0.0..=360.0;
+        /// Chance that a point within the surface shows its open angle by accident: the less, the wider an opening must be
+        /// among few neighbours (robust form only).
+        opening_chance: f64 = 0.001, "", 0.000001..=0.5;
         /// Share of the open angle in the border weight.
         gamma: f64 = 0.5, "", 0.0..=1.0;
         /// Fold angle between two faces at which a crease becomes one (robust form only).
@@ -63,12 +70,32 @@ sections! {
     spanning: SpanningParams {
         /// Edges whose penalty share exceeds this are never part of a pattern.
         tau: f64 = 1.0, "", 0.0..=2.0;
-        /// Edges that a cycle needs to be kept, and twice those of a branch; auto: half the root of the number of points.
+        /// Edges that a cycle needs to be kept, and twice those of a branch; auto: half the root of the number of points in the
+        /// paper's form, a length of `loop_spacings` in the robust form.
         rho: Auto<usize> = Auto::Auto, "edges", 3.0..=1000000.0;
+        /// Length that a cycle needs to be kept, and twice that of a branch, where `rho` is auto (robust form only).
+        loop_spacings: f64 = 10.0, "spacings", 1.0..=1000.0;
+        /// Least ratio of the area that a cycle encloses to its length: two strands of one band are no loop (robust form only).
+        openness_spacings: f64 = 0.9, "spacings", 0.0..=100.0;
         /// Whether creases are looked for.
         creases: bool = true, "", 0.0..=0.0;
         /// Whether borders are looked for.
         borders: bool = true, "", 0.0..=0.0;
+    }
+
+    /// The repair of lines after pruning, in the robust forms: ours.
+    repair: RepairParams {
+        /// Share of the evidence of a sharp fold that a crease must show to stay: rounds show none.
+        sharp_share: f64 = 0.4, "", 0.0..=1.0;
+        /// Evidence that a connected piece of creases must show, since chance adds up to some twenty on noise.
+        evidence: f64 = 25.0, "variances", 0.0..=1000000.0;
+        /// How far loose ends are led on, as a multiple of the usual gaps: up to 10 spacings for creases, 16 for borders, the
+        /// less, the more the ends look aside.
+        bridge_reach: f64 = 1.0, "", 0.0..=10.0;
+        /// Least turn of a strip that gets a corner.
+        corner_deg: f64 = 45.0, "degrees", 5.0..=85.0;
+        /// Greatest length of a link between two lines that run beside each other, which is taken away.
+        rung_spacings: f64 = 5.0, "spacings", 0.0..=100.0;
     }
 
     /// Demarsin's segmentation and graph of clusters (Demarsin et al. 2007); used by the method `segments`.
@@ -87,12 +114,22 @@ sections! {
         connect: Auto<usize> = Auto::Auto, "vertices", 1.0..=64.0;
         /// Linked endpoints have no path as short as this (section 2.7, `d`; paper form); auto: twice `branch`.
         cycle: Auto<usize> = Auto::Auto, "edges", 1.0..=1000000.0;
+        /// Fewest points of a face (robust form).
+        face_points: usize = 12, "points", 1.0..=1000000.0;
+        /// Score above which a point belongs to a fold and not to a face (robust form).
+        fold_score: f64 = 0.5, "", 0.0..=1.0;
+        /// Gaps between small clusters of one pair of faces that are closed at once (section 2.4; robust form).
+        extend_spacings: f64 = 2.5, "spacings", 0.0..=100.0;
     }
 
     /// The curves fitted through the pattern (Gumhold 2001, section 4).
     spline: SplineParams {
         /// Length of strip for each span of the spline; auto: from the noise.
         span_spacings: Auto<f64> = Auto::Auto, "spacings", 0.5..=1000.0;
+        /// Weight of the curve's own smoothness, its squared second differences, against one point.
+        smoothing: f64 = 0.1, "", 0.000001..=1000.0;
+        /// Greatest length of a crease that hangs on a node with nothing at its other end, and is left out.
+        stub_spacings: f64 = 3.0, "spacings", 0.0..=1000.0;
         /// Distance between the points that a curve is written with.
         step_spacings: f64 = 0.5, "spacings", 0.01..=100.0;
     }

@@ -14,9 +14,6 @@ use crate::params::SplineParams;
 use crate::pattern::{LineGraph, Pattern, paths};
 use crate::resolution::Resolution;
 
-/// Creases up to this many spacings long that hang on a node with nothing at their other end are left out.
-const STUB: f64 = 3.0;
-
 /// Strips and nodes of a pattern, with smooth curves (Gumhold 2001, section 4, the simple solution); local frame, sources as
 /// canonical indices.
 pub fn recover(pattern: &Pattern, resolution: Resolution, params: &SplineParams) -> Network {
@@ -27,7 +24,7 @@ pub fn recover(pattern: &Pattern, resolution: Resolution, params: &SplineParams)
     for (kind, meeting) in [(StripKind::Crease, crease), (StripKind::Border, border)] {
         append(&mut network, kind, pattern.of(kind), meeting, resolution, params);
     }
-    tidy::tidy(&mut network, STUB * resolution.unit());
+    tidy::tidy(&mut network, params.stub_spacings * resolution.unit());
     network
 }
 

@@ -9,8 +9,9 @@ const COLUMNS: usize = 100;
 
 /// Every parameter as a TOML file that `--params` reads back: meaning, unit, range and default above each.
 pub fn commented(params: &Params) -> String {
-    let mut text =
-        String::from("# Parameters of lineament. Lengths are in spacings of the cloud unless their unit is another, angles in degrees.\n");
+    let mut text = String::from(
+        "# Parameters of lineament. Lengths are in spacings of the cloud unless their unit is another, angles in degrees.\n",
+    );
     let entries = params.entries();
     let (plain, tabled): (Vec<&Entry>, Vec<&Entry>) = entries.iter().partition(|e| !e.key.contains('.'));
     plain.into_iter().for_each(|entry| write_entry(&mut text, entry, &entry.key));

@@ -5,7 +5,7 @@ use super::spanning::{CycleRule, candidate_edges, minimum_spanning_graph, prune}
 use crate::measure::{Measure, Penalties};
 use crate::neighbors::Neighbors;
 use crate::network::StripKind;
-use crate::params::{PenaltyForm, SpanningParams};
+use crate::params::{Params, PenaltyForm, RepairParams};
 use crate::pattern::{LineGraph, Pattern};
 use crate::resolution::Resolution;
 
@@ -18,16 +18,18 @@ pub(crate) fn link(
     graph: &Neighbors,
     measure: &Measure,
     resolution: Resolution,
-    params: &SpanningParams,
+    params: &Params,
     rule: CycleRule,
 ) -> Pattern {
+    let Params { spanning, repair, .. } = params;
+    let rules = LineRules { tau: spanning.tau, cycle: rule, repair };
     let lines = |wanted: bool, kind: StripKind, penalties: &Penalties| match wanted {
-        true => lines_of(graph, &measure.density, penalties, resolution, params.tau, rule, kind),
+        true => lines_of(graph, &measure.density, penalties, resolution, rules, kind),
         false => LineGraph::default(),
     };
     let mut pattern = Pattern {
-        crease: lines(params.creases, StripKind::Crease, &measure.crease),
-        border: lines(params.borders, StripKind::Border, &measure.border),
+        crease: lines(spanning.creases, StripKind::Crease, &measure.crease),
+        border: lines(spanning.borders, StripKind::Border, &measure.border),
     };
     match rule.form {
         PenaltyForm::Paper => {}
@@ -36,14 +38,22 @@ pub(crate) fn link(
     pattern
 }
 
+/// The rules that lines of one kind are made by.
+#[derive(Clone, Copy)]
+pub(super) struct LineRules<'a> {
+    /// Bound of the penalty share of an edge.
+    pub(super) tau: f64,
+    pub(super) cycle: CycleRule,
+    pub(super) repair: &'a RepairParams,
+}
+
 /// The lines of one kind. `density` is that of every point.
 pub(super) fn lines_of(
     graph: &Neighbors,
     density: &[f32],
     penalties: &Penalties,
     resolution: Resolution,
-    tau: f64,
-    rule: CycleRule,
+    LineRules { tau, cycle: rule, repair: params }: LineRules,
     kind: StripKind,
 ) -> LineGraph {
     let hops = match (kind, rule.form) {
@@ -55,7 +65,7 @@ pub(super) fn lines_of(
     prune(&mut lines, rule);
     match rule.form {
         PenaltyForm::Paper => {}
-        PenaltyForm::Robust => repair(&mut lines, kind, resolution, rule),
+        PenaltyForm::Robust => repair(&mut lines, kind, resolution, rule, params),
     }
     lines
 }

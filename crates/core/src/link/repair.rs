@@ -19,6 +19,7 @@ pub(super) use rungs::remove_rungs;
 
 use super::spanning::{CycleRule, prune};
 use crate::network::StripKind;
+use crate::params::RepairParams;
 use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
@@ -26,11 +27,17 @@ use crate::resolution::Resolution;
 const SPURS: f64 = 1.6;
 
 /// Mends the lines of one kind.
-pub(super) fn repair(lines: &mut LineGraph, kind: StripKind, resolution: Resolution, rule: CycleRule) {
-    remove_rungs(lines, resolution);
-    judge(lines, resolution, rule);
-    bridge(lines, kind, resolution);
+pub(super) fn repair(
+    lines: &mut LineGraph,
+    kind: StripKind,
+    resolution: Resolution,
+    rule: CycleRule,
+    params: &RepairParams,
+) {
+    remove_rungs(lines, resolution, params);
+    judge(lines, resolution, rule, params);
+    bridge(lines, kind, resolution, params);
     prune(lines, CycleRule { rho: SPURS * rule.rho, ..rule });
-    remove_rungs(lines, resolution);
-    corners(lines, kind, resolution);
+    remove_rungs(lines, resolution, params);
+    corners(lines, kind, resolution, params);
 }

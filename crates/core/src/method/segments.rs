@@ -5,7 +5,7 @@ use crate::detect::segments::{Segmented, as_printed, robust};
 use crate::link::CycleRule;
 use crate::link::clusters::{GraphStage, Segments, borders, link_as_printed, link_robust};
 use crate::measure::Measure;
-use crate::params::{Params, SegmentForm, SegmentParams};
+use crate::params::{Params, SegmentForm};
 use crate::pattern::Pattern;
 use crate::prepare::Prepared;
 
@@ -35,25 +35,27 @@ pub(super) fn detect(cloud: &Prepared, params: &Params) -> Measure {
 pub(super) fn link(
     cloud: &Prepared,
     measure: &mut Measure,
-    params: &SegmentParams,
+    params: &Params,
     rule: CycleRule,
 ) -> (Pattern, ClusterStages) {
     let &Prepared { ref positions, ref graph, resolution, .. } = cloud;
-    let (segmented, linked) = match params.form {
+    let (segmented, linked) = match params.segments.form {
         SegmentForm::Paper => {
-            let (segmented, normals) = as_printed(positions, resolution, params);
+            let (segmented, normals) = as_printed(positions, resolution, &params.segments);
             measure.normal = normals;
             measure.score = segmented.segments.score();
             let smooth = if segmented.rounds > 0 { &segmented.smoothed } else { positions };
-            let border = borders(graph, measure, resolution, rule);
-            let linked = link_as_printed(smooth, &segmented.rings, &segmented.segments, border, params);
+            let border = borders(graph, measure, resolution, rule, &params.repair);
+            let linked =
+                link_as_printed(smooth, &segmented.rings, &segmented.segments, border, &params.segments);
             (segmented, linked)
         }
         SegmentForm::Robust => {
-            let segmented = robust(positions, graph, resolution, params, measure);
+            let segmented = robust(positions, graph, resolution, &params.segments, measure);
             let segments = &segmented.segments;
+            let points = &positions[..];
             let linked =
-                link_robust(&Segments { points: positions, graph, measure, segments, resolution, rule });
+                link_robust(&Segments { points, graph, measure, segments, resolution, rule, params });
             (segmented, linked)
         }
     };

@@ -207,6 +207,19 @@ mod tests {
     }
 
     #[test]
+    fn methods_have_the_names_of_their_authors_too() {
+        let mut params = Params::default();
+        for (name, canonical) in [("tran", "projection"), ("demarsin", "segments"), ("gumhold", "penalty")] {
+            params.set("method", name).unwrap();
+            let shown = params.entries().swap_remove(0).value;
+            assert_eq!(shown, canonical);
+            params.set("method", canonical).unwrap();
+            assert_eq!(params.entries().swap_remove(0).value, shown);
+        }
+        assert!(params.set("method", "Tran").is_err());
+    }
+
+    #[test]
     fn unknown_keys_and_text_that_is_no_number_are_refused() {
         let mut params = Params::default();
         assert!(params.set("penalty.nosuch", "1").is_err());

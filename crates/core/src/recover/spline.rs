@@ -7,8 +7,6 @@ use crate::params::SplineParams;
 use crate::pattern::{LineGraph, Path};
 use crate::resolution::Resolution;
 
-/// Weight of the curve's own smoothness against the data.
-const SMOOTHING: f64 = 0.1;
 /// Greatest number of points written for a span of a curve: enough to follow any cubic, and no more where points lie far apart.
 const SPAN_POINTS: usize = 64;
 
@@ -34,7 +32,8 @@ pub(super) fn strip(
         positions[0] = network.nodes[start as usize].position;
         positions[last] = network.nodes[end as usize].position;
     }
-    let options = FitOptions { span: span(params, resolution), smoothing: SMOOTHING, closed: ends.is_none() };
+    let (span, smoothing) = (span(params, resolution), params.smoothing);
+    let options = FitOptions { span, smoothing, closed: ends.is_none() };
     let (curve, parameters) = fit(&positions, options);
     let squares: f64 = positions.iter().zip(&parameters).map(|(&p, &t)| distance2(p, curve.point(t))).sum();
     let mut sources: Vec<u32> = path.vertices.iter().map(|&v| lines.points[v as usize]).collect();

@@ -20,7 +20,7 @@ pub(crate) enum Shape {
     Arc { centre: [f64; 2], radius: f64, sweep: f64 },
     /// A whole circle.
     Circle { centre: [f64; 2], radius: f64 },
-    /// Anything else.
+    /// A curve of neither kind.
     Free(BSpline<2>),
 }
 

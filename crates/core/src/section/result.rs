@@ -8,7 +8,7 @@ use crate::curve::{BSpline, polygon};
 /// Fewest points of a slab that a curve is sought in.
 pub(crate) const FEWEST_POINTS: usize = 4;
 
-/// All sections of a run.
+/// All sections of a cloud.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sections {
     /// Directions of the slices in the world.

@@ -8,11 +8,10 @@ use super::open_angle::{chance_opening, open_angle};
 use crate::math::tensor::ellipsoid;
 use crate::math::vec3::{add_scaled, cross, dot, norm, sub};
 use crate::measure::Row;
+use crate::params::PenaltyParams;
 use crate::resolution::Resolution;
 use std::f64::consts::{PI, TAU};
 
-/// Chance that a point within the surface shows its open angle by accident.
-const CHANCE: f64 = 1e-3;
 /// Least distance of the direct neighbours' centre from a point of a border, in their mean distance: half a disc has its
 /// centre at two thirds, a whole one at its own point, give or take chance. Most points lie below.
 const BORDER_LEAN: f64 = 0.3;
@@ -36,11 +35,13 @@ pub fn border(
     i: usize,
     wide: &[u32],
     scale: Resolution,
+    params: &PenaltyParams,
     angles: &mut Vec<f64>,
 ) -> Option<Row> {
     let normal = ellipsoid(points, i, wide).axes.vectors[0];
     let opening = open_angle(points, i, wide, normal, angles);
-    if opening.angle < chance_opening(angles.len(), CHANCE).max(0.4 * PI) {
+    let least = params.opening_deg.to_radians();
+    if opening.angle < chance_opening(angles.len(), params.opening_chance).max(least) {
         return None;
     }
     let along = cross(normal, opening.middle);

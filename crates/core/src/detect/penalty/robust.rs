@@ -30,8 +30,6 @@ use rayon::prelude::*;
 
 /// Points that a thread takes at a time.
 const BLOCK: usize = 1024;
-/// Crease candidates have a smaller curvature penalty than this.
-const CANDIDATE_PENALTY: f64 = 0.75;
 
 /// What a block of points yields: a score each, and the candidates among them.
 #[derive(Default)]
@@ -65,7 +63,7 @@ pub fn penalties(
         border: Penalties::new(params.gamma, Direction::Across),
         ..Default::default()
     };
-    for block in blocks(points.len(), |i, buffers, block| point(&surroundings, i, buffers, block)) {
+    for block in blocks(points.len(), |i, buffers, block| point(&surroundings, params, i, buffers, block)) {
         measure.score.extend(block.score);
         block.crease.into_iter().for_each(|(i, row)| measure.crease.push(i, row));
         block.border.into_iter().for_each(|(i, row)| measure.border.push(i, row));
@@ -94,7 +92,7 @@ pub fn borders(
         let sides = Sides::around(&surroundings, i, inner(graph, i, derived.hops, &mut buffers.scratch));
         if sides.fold() < HIDING_FOLD {
             let wide = graph.hops(i, derived.hops.max(2), &mut buffers.scratch);
-            let row = border(points, i, wide, resolution, &mut buffers.angles);
+            let row = border(points, i, wide, resolution, params, &mut buffers.angles);
             block.border.extend(row.map(|row| (i as u32, row)));
         }
     };
@@ -118,13 +116,19 @@ fn blocks(count: usize, of: impl Fn(usize, &mut Buffers, &mut Block) + Sync) -> 
 }
 
 /// The score of a point, and its rows if it is a candidate.
-fn point(surroundings: &Surroundings, i: usize, buffers: &mut Buffers, block: &mut Block) {
+fn point(
+    surroundings: &Surroundings,
+    params: &PenaltyParams,
+    i: usize,
+    buffers: &mut Buffers,
+    block: &mut Block,
+) {
     let Surroundings { points, graph, resolution, hops, least_fold, .. } = surroundings;
     let Buffers { scratch, angles, section } = buffers;
     let sides = Sides::around(surroundings, i, inner(graph, i, *hops, scratch));
     let fold = sides.fold();
     let penalty = 1.0 - fold / (2.0 * least_fold);
-    let folded = penalty < CANDIDATE_PENALTY;
+    let folded = penalty < params.candidate;
     let open = fold < HIDING_FOLD && may_be_border(points, i, graph.of(i));
     block.score.push((fold / (2.0 * least_fold)).min(1.0) as f32);
     if !folded && !open {
@@ -136,7 +140,7 @@ fn point(surroundings: &Surroundings, i: usize, buffers: &mut Buffers, block: &m
         block.crease.extend(row.map(|row| (i as u32, row)));
     }
     if open {
-        let row = border(points, i, wide, *resolution, angles);
+        let row = border(points, i, wide, *resolution, params, angles);
         block.border.extend(row.map(|row| (i as u32, row)));
     }
 }

@@ -24,7 +24,7 @@ use crate::detect::penalty::{densities, derive};
 use crate::math::vec3::{dot, norm, sub};
 use crate::measure::{Direction, Measure, Penalties, Row};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
-use crate::params::Params;
+use crate::params::{Params, PenaltyParams};
 use crate::resolution::Resolution;
 use rayon::prelude::*;
 
@@ -44,7 +44,7 @@ pub fn measure(points: &[[f64; 3]], graph: &Neighbors, resolution: Resolution, p
     faces.support = marks.score.iter().map(|s| (1.0 - s).powi(2)).collect();
     let surroundings =
         Surroundings::new(points, graph, faces, resolution, derived.hops, params.penalty.fold_deg);
-    let rows = rows(&surroundings, &marks);
+    let rows = rows(&surroundings, &marks, &params.penalty);
     let folds: Vec<(u32, Row)> = rows.iter().filter_map(|r| Some((r.0, r.1?))).collect();
     let mut crease = Penalties::new(derived.alpha, Direction::Across);
     for fold in folds.iter().filter(|fold| is_ridge(graph, resolution, &marks, &folds, fold)) {
@@ -62,13 +62,13 @@ pub fn measure(points: &[[f64; 3]], graph: &Neighbors, resolution: Resolution, p
 type Candidate = (u32, Option<Row>, Option<Row>);
 
 /// The candidates of creases where the surface folds, and those of borders, ascending, with their penalties.
-fn rows(surroundings: &Surroundings, marks: &Marks) -> Vec<Candidate> {
+fn rows(surroundings: &Surroundings, marks: &Marks, params: &PenaltyParams) -> Vec<Candidate> {
     let Surroundings { points, graph, resolution, hops, least_fold, .. } = surroundings;
     let hops = (*hops).max(2);
     let row = |(scratch, section, angles): &mut (Scratch, CrossSection, Vec<f64>), i| {
         let wide = graph.hops(i, hops, scratch);
         let border = may_be_border(points, i, graph.of(i))
-            .then(|| border(points, i, wide, *resolution, angles))
+            .then(|| border(points, i, wide, *resolution, params, angles))
             .flatten();
         let score = f64::from(marks.score[i]);
         let is_crease = score > CANDIDATE_SHARE * marks.threshold;

@@ -9,12 +9,6 @@ use crate::params::SegmentParams;
 use crate::resolution::Resolution;
 use std::time::Instant;
 
-/// Fewest points of a face.
-const FACE_POINTS: u32 = 12;
-/// Score from which on a point belongs to a fold and not to a face: single linkage would need only one point with a normal
-/// in between to run from face to face.
-const SHARP: f32 = 0.5;
-
 /// The segmentation of a cloud with this measure.
 pub(crate) fn robust(
     points: &[[f64; 3]],
@@ -24,9 +18,10 @@ pub(crate) fn robust(
     measure: &Measure,
 ) -> Segmented {
     let start = Instant::now();
-    let sharp = |i: usize| measure.score[i] > SHARP;
+    // Single linkage would need only one point with a normal in between to run from face to face.
+    let sharp = |i: usize| measure.score[i] > params.fold_score as f32;
     let radians = angle(params, resolution).to_radians();
-    let segments = Segmentation::grow(graph, &measure.normal, radians, FACE_POINTS, sharp);
+    let segments = Segmentation::grow(graph, &measure.normal, radians, params.face_points as u32, sharp);
     let segments = absorb(segments, points, &measure.normal, graph);
     Segmented { segments, seconds: vec![("segments", start.elapsed().as_secs_f64())], ..Segmented::default() }
 }

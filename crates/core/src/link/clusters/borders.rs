@@ -1,11 +1,12 @@
 //! The borders that lines end on, of either form.
 
 use super::open::remove_short;
-use crate::link::lines::lines_of;
+use crate::link::lines::{LineRules, lines_of};
 use crate::link::spanning::CycleRule;
 use crate::measure::Measure;
 use crate::neighbors::Neighbors;
 use crate::network::StripKind;
+use crate::params::RepairParams;
 use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
@@ -21,9 +22,11 @@ pub(crate) fn borders(
     measure: &Measure,
     resolution: Resolution,
     rule: CycleRule,
+    repair: &RepairParams,
 ) -> LineGraph {
     let kind = StripKind::Border;
-    let mut border = lines_of(graph, &measure.density, &measure.border, resolution, TAU, rule, kind);
+    let rules = LineRules { tau: TAU, cycle: rule, repair };
+    let mut border = lines_of(graph, &measure.density, &measure.border, resolution, rules, kind);
     remove_short(&mut border, OPEN_BORDER * resolution.unit());
     border.nodes.retain(|&v| !border.edges[v as usize].is_empty());
     border

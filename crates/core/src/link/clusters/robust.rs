@@ -28,11 +28,10 @@ use crate::math::vec3::distance;
 use crate::measure::Measure;
 use crate::neighbors::Neighbors;
 use crate::network::StripKind;
+use crate::params::Params;
 use crate::pattern::{LineGraph, Pattern};
 use crate::resolution::Resolution;
 
-/// Gaps between clusters of one pair of faces that are closed at once, spacings.
-const EXTEND: f64 = 2.5;
 /// Weight that an edge of `G_extended` has more than one of `G_all`.
 const ADDED: f64 = 2.0;
 /// Gaps closed at last by the shortest link whatever its direction, spacings.
@@ -48,44 +47,45 @@ pub(crate) struct Segments<'a> {
     pub(crate) segments: &'a Segmentation,
     pub(crate) resolution: Resolution,
     pub(crate) rule: CycleRule,
+    pub(crate) params: &'a Params,
 }
 
 /// Closed lines of a measure with candidates of both kinds.
 pub(crate) fn link_robust(cloud: &Segments) -> Linked {
-    let &Segments { graph, measure, resolution, rule, .. } = cloud;
-    let border = borders(graph, measure, resolution, rule);
+    let &Segments { graph, measure, resolution, rule, params, .. } = cloud;
+    let border = borders(graph, measure, resolution, rule, &params.repair);
     let mut recorder = Recorder::new();
     let (mut lines, all) = open_lines(cloud, &mut recorder);
     take_vertices(&mut lines, &all);
     let mut pattern = Pattern { crease: lines, border };
     dock(&mut pattern, resolution);
     close(cloud, &mut pattern, &all, &mut recorder);
-    corners(&mut pattern.crease, StripKind::Crease, resolution);
+    corners(&mut pattern.crease, StripKind::Crease, resolution, &params.repair);
     Linked { pattern, stages: recorder.stages }
 }
 
 /// The lines up to `G_pruned_branches`, and the graph with the weak ground that closing may use.
 fn open_lines(cloud: &Segments, recorder: &mut Recorder) -> (LineGraph, LineGraph) {
-    let &Segments { points, graph, measure, segments, resolution, rule } = cloud;
+    let &Segments { points, graph, measure, segments, resolution, rule, params } = cloud;
     let penalties = &measure.crease;
     let edges = candidate_edges(graph, &measure.density, penalties, resolution, 1.0, 1);
     let (mut clusters, cluster_of) = group(graph, penalties, &edges, segments, resolution);
     recorder.whole("G_all", &clusters);
-    add_edges(&mut clusters, resolution);
+    add_edges(&mut clusters, resolution, params.segments.extend_spacings);
     recorder.whole("G_extended", &clusters);
     let mut lines = forest(&clusters.lines, &clusters.weights, Some((resolution, rule)));
     recorder.lines("G_pruned_mst", &lines);
     prune(&mut lines, rule);
-    remove_rungs(&mut lines, resolution);
-    judge(&mut lines, resolution, rule);
+    remove_rungs(&mut lines, resolution, &params.repair);
+    judge(&mut lines, resolution, rule, &params.repair);
     recorder.lines("G_pruned_branches", &lines);
     let all = ground(&clusters, &cluster_of, points, graph, penalties, segments, resolution);
     (lines, all)
 }
 
-/// `G_extended`: its new edges weigh more than those of `G_all`, the longer the more.
-fn add_edges(clusters: &mut Clusters, resolution: Resolution) {
-    for (a, b) in extend(clusters, EXTEND * resolution.spacing) {
+/// `G_extended`: its new edges weigh more than those of `G_all`, the longer the more. They are at most `reach` spacings long.
+fn add_edges(clusters: &mut Clusters, resolution: Resolution, reach: f64) {
+    for (a, b) in extend(clusters, reach * resolution.spacing) {
         let positions = &clusters.lines.positions;
         let length = distance(positions[a as usize], positions[b as usize]) / resolution.spacing;
         clusters.weights.push(Candidate { weight: ADDED + length * length, a, b });
@@ -95,17 +95,17 @@ fn add_edges(clusters: &mut Clusters, resolution: Resolution) {
 
 /// `G_closed` and `G_smooth`: creases are closed with the borders that they end on.
 fn close(cloud: &Segments, pattern: &mut Pattern, all: &LineGraph, recorder: &mut Recorder) {
-    let &Segments { resolution, rule, .. } = cloud;
+    let &Segments { resolution, rule, params, .. } = cloud;
     let Pattern { crease: lines, border } = pattern;
     let own = include(lines, border);
-    bridge(lines, StripKind::Crease, resolution);
+    bridge(lines, StripKind::Crease, resolution, &params.repair);
     reroute(lines, all, resolution, rule.metric);
     let mut walker = Walker::new(lines.edges.len(), rule.metric);
     for gap in LAST_LINKS {
         connect_within(lines, gap * resolution.spacing, &mut walker, resolution.spacing);
     }
     remove_open(lines);
-    remove_rungs(lines, resolution);
+    remove_rungs(lines, resolution, &params.repair);
     recorder.lines("G_closed", lines);
     smooth(lines, SMOOTHING);
     recorder.lines("G_smooth", lines);

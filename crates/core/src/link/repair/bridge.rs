@@ -7,6 +7,7 @@
 use crate::math::vec3::{add_scaled, distance, dot, norm, scale, sub, unit};
 use crate::neighbors::Index;
 use crate::network::StripKind;
+use crate::params::RepairParams;
 use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
@@ -63,7 +64,8 @@ enum Bridge {
 }
 
 /// Joins loose ends, the cheapest first, in rounds of growing reach.
-pub(crate) fn bridge(lines: &mut LineGraph, kind: StripKind, resolution: Resolution) {
+pub(crate) fn bridge(lines: &mut LineGraph, kind: StripKind, resolution: Resolution, params: &RepairParams) {
+    let far = params.bridge_reach;
     let h = resolution.unit();
     let (gaps, last): (&[(f64, f64)], f64) = match kind {
         StripKind::Crease => (&CREASE_GAPS, TOUCHING_LAST[0]),
@@ -72,9 +74,9 @@ pub(crate) fn bridge(lines: &mut LineGraph, kind: StripKind, resolution: Resolut
     for (round, &(reach, angle)) in gaps.iter().enumerate() {
         let ends = loose_ends(lines, h);
         let touching = if round + 1 == gaps.len() { last } else { TOUCHING };
-        let mut bridges = facing(&ends, reach * h, angle, touching * h);
+        let mut bridges = facing(&ends, reach * far * h, angle, touching * h);
         for &(_, reach, angle) in INTO_STRIP.iter().filter(|s| s.0 == round) {
-            bridges.extend(into_strips(lines, &ends, reach * h, angle));
+            bridges.extend(into_strips(lines, &ends, reach * far * h, angle));
         }
         if round == SIDEWAYS {
             bridges.extend(meetings(&ends, h));

@@ -9,6 +9,7 @@ use crate::math::skyline::Skyline;
 use crate::math::tensor::scatter;
 use crate::math::vec3::{add, add_scaled, distance, dot, norm, scale, sub, unit};
 use crate::network::StripKind;
+use crate::params::RepairParams;
 use crate::pattern::{LineGraph, Path, paths};
 use crate::resolution::Resolution;
 
@@ -20,8 +21,6 @@ const SIDES: [f64; 2] = [10.0, 6.0];
 const FILLED_SIDE: (f64, usize) = (0.8, 4);
 /// Least length of path between two corners, spacings.
 const CORNERS_APART: f64 = 3.0;
-/// Least turn of a corner, degrees.
-const TURN_DEG: f64 = 45.0;
 /// Greatest ratio of the residual of two lines to that of a smooth curve, at the least turn and at a right angle: a bend that
 /// is hardly one has to be the clearer.
 const CLEAR_RATIO: [f64; 2] = [0.4, 0.6];
@@ -43,12 +42,12 @@ struct Corner {
 }
 
 /// Puts a node at every corner of the strips.
-pub(crate) fn corners(lines: &mut LineGraph, kind: StripKind, resolution: Resolution) {
+pub(crate) fn corners(lines: &mut LineGraph, kind: StripKind, resolution: Resolution, params: &RepairParams) {
     let h = resolution.unit();
     let rounded = ROUNDED.iter().find(|r| r.0 == kind).map_or(0.0, |r| r.1);
     for path in paths(lines) {
         let course = Course::new(lines, &path, h, rounded);
-        place(lines, &path, &course, &course.corners());
+        place(lines, &path, &course, &course.corners(params.corner_deg));
     }
 }
 
@@ -105,10 +104,10 @@ impl Course {
         if self.closed { s.min(self.length - s) } else { s }
     }
 
-    /// The corners, the clearest first, each at least a side's least length from the next.
-    fn corners(&self) -> Vec<Corner> {
+    /// The corners with a turn of `turn_deg` and more, the clearest first, each at least a side's least length from the next.
+    fn corners(&self, turn_deg: f64) -> Vec<Corner> {
         let mut all: Vec<Corner> = (0..self.positions.len())
-            .filter_map(|i| SIDES.iter().find_map(|&side| self.corner(i, side)))
+            .filter_map(|i| SIDES.iter().find_map(|&side| self.corner(i, side, turn_deg)))
             .collect();
         all.sort_by(|a, b| a.ratio.total_cmp(&b.ratio).then(a.at.cmp(&b.at)));
         let mut kept: Vec<Corner> = Vec::new();
@@ -124,16 +123,16 @@ impl Course {
     }
 
     /// The corner that sides of this length show at a vertex; where the path is rounded it is placed by what lies beyond.
-    fn corner(&self, at: usize, side: f64) -> Option<Corner> {
+    fn corner(&self, at: usize, side: f64, turn_deg: f64) -> Option<Corner> {
         let first = self.meeting(at, side, ROUNDED_OFF)?;
         let (turn, spoilt) = first.rounding(self.off(at, first.position) / self.h, self.rounded)?;
         let beyond = if spoilt > ROUNDED_OFF { self.meeting(at, side, spoilt) } else { None };
         let position = beyond.map_or(first.position, |b| b.position);
         let [least, right] = CLEAR_RATIO;
-        let share = ((turn - TURN_DEG) / (90.0 - TURN_DEG)).clamp(0.0, 1.0);
+        let share = ((turn - turn_deg) / (90.0 - turn_deg)).clamp(0.0, 1.0);
         let clear = first.ratio <= least + share * (right - least);
         // A rounding that leaves nothing of the sides is no corner's.
-        (turn >= TURN_DEG && clear && spoilt <= 0.5 * side).then_some(Corner {
+        (turn >= turn_deg && clear && spoilt <= 0.5 * side).then_some(Corner {
             at,
             position,
             ratio: first.ratio,
@@ -317,7 +316,8 @@ mod tests {
                 (0..10).flat_map(|k| [4.0, 5.0, 6.0, 8.0].map(|side| (0.1 * f64::from(k), side)))
             {
                 let mut lines = rectangle([30.0, side], step, shift);
-                corners(&mut lines, StripKind::Border, Resolution { spacing: 1.0, noise: 0.0 });
+                let unit = Resolution { spacing: 1.0, noise: 0.0 };
+                corners(&mut lines, StripKind::Border, unit, &RepairParams::default());
                 assert!(lines.edges.iter().all(|e| e.is_empty() || e.len() == 2), "{step} {shift} {side}");
                 found += lines.nodes.len();
             }

@@ -9,22 +9,19 @@ use crate::link::spanning::CycleRule;
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::distance;
 use crate::measure::Evidence;
+use crate::params::RepairParams;
 use crate::pattern::{LineGraph, Path, paths};
 use crate::resolution::Resolution;
 
-/// Share of the evidence of a sharp fold that a strip must show.
-const SHARP: f64 = 0.4;
 /// A strip shorter than this, in spacings, lies within the junctions at its ends and is not judged by itself.
 const WITHIN_JUNCTION: f64 = 3.0;
 
-/// Evidence that a connected piece must show, variances: neighbouring points share their neighbours, so that chance adds up
-/// to some twenty along the false lines of a noisy round.
-const SURE_EVIDENCE: f64 = 25.0;
-
 /// Drops strips that are round, then pieces too short or with too little evidence to be lines.
-pub(crate) fn judge(lines: &mut LineGraph, resolution: Resolution, rule: CycleRule) {
+pub(crate) fn judge(lines: &mut LineGraph, resolution: Resolution, rule: CycleRule, params: &RepairParams) {
+    let share = params.sharp_share;
     loop {
-        let round: Vec<Path> = paths(lines).into_iter().filter(|p| is_round(lines, p, resolution)).collect();
+        let round: Vec<Path> =
+            paths(lines).into_iter().filter(|p| is_round(lines, p, resolution, share)).collect();
         if round.is_empty() {
             break;
         }
@@ -32,18 +29,19 @@ pub(crate) fn judge(lines: &mut LineGraph, resolution: Resolution, rule: CycleRu
             remove_path(lines, path);
         }
     }
-    drop_pieces(lines, rule.long_branch() * resolution.unit());
+    // Neighbouring points share their neighbours, so that chance adds up to some twenty along the false lines of a noisy round.
+    drop_pieces(lines, rule.long_branch() * resolution.unit(), params.evidence);
 }
 
-/// Whether the strip shows too little of the evidence that a fold of its angle would.
-fn is_round(lines: &LineGraph, path: &Path, resolution: Resolution) -> bool {
+/// Whether the strip shows less than a `share` of the evidence that a fold of its angle would.
+fn is_round(lines: &LineGraph, path: &Path, resolution: Resolution, share: f64) -> bool {
     let shown = || path.vertices.iter().map(|&v| sums_of(lines.evidence[v as usize]));
     let loose = path.ends.is_some_and(|e| e.iter().any(|&v| lines.edges[v as usize].len() == 1));
     if !loose && path.ends.is_some() && length(lines, &path.vertices) < WITHIN_JUNCTION * resolution.unit() {
         return false;
     }
     let expected: f64 = shown().map(|s| s[1]).sum();
-    expected > 0.0 && shown().map(|s| s[0]).sum::<f64>() < SHARP * expected
+    expected > 0.0 && shown().map(|s| s[0]).sum::<f64>() < share * expected
 }
 
 /// Evidence that a vertex adds to a sum, and that which a sharp fold would add: none without a cross-section.
@@ -60,8 +58,8 @@ fn remove_path(lines: &mut LineGraph, path: &Path) {
     }
 }
 
-/// Removes connected pieces whose edges add up to less than `least`, and those that show too little evidence.
-fn drop_pieces(lines: &mut LineGraph, least: f64) {
+/// Removes connected pieces whose edges add up to less than `least`, and those that show less evidence than is `sure`.
+fn drop_pieces(lines: &mut LineGraph, least: f64, sure: f64) {
     let count = lines.edges.len();
     let mut sets = UnionFind::new(count);
     for (a, list) in lines.edges.iter().enumerate() {
@@ -81,7 +79,7 @@ fn drop_pieces(lines: &mut LineGraph, least: f64) {
     }
     for v in 0..count {
         let [length, evidence, expected] = sums[sets.find(v as u32) as usize];
-        if length < least || (expected > 0.0 && evidence < SURE_EVIDENCE) {
+        if length < least || (expected > 0.0 && evidence < sure) {
             lines.edges[v].clear();
         }
     }

@@ -6,11 +6,10 @@
 //! of points of its own.
 
 use crate::math::vec3::{distance, dot, sub, unit};
+use crate::params::RepairParams;
 use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
-/// Greatest length of a rung, spacings.
-const LONGEST_RUNG: f64 = 5.0;
 /// Most edges: a longer row is a line that was seen.
 const MOST_EDGES: usize = 2;
 /// Length of line on both sides of an end that says whether it passes straight, spacings.
@@ -19,12 +18,12 @@ const TANGENT: f64 = 2.5;
 const PASSING_DEG: f64 = 40.0;
 
 /// Takes away all rungs, the shortest first.
-pub(crate) fn remove_rungs(lines: &mut LineGraph, resolution: Resolution) {
+pub(crate) fn remove_rungs(lines: &mut LineGraph, resolution: Resolution, params: &RepairParams) {
     let h = resolution.unit();
     let mut rungs: Vec<(f64, Vec<u32>)> = (0..lines.edges.len() as u32)
         .filter(|&v| lines.edges[v as usize].len() == 3)
         .flat_map(|v| lines.edges[v as usize].iter().map(move |&w| (v, w)))
-        .filter_map(|(v, w)| rung(lines, v, w, LONGEST_RUNG * h))
+        .filter_map(|(v, w)| rung(lines, v, w, params.rung_spacings * h))
         .filter(|(_, path)| path[0] < path[path.len() - 1])
         .collect();
     rungs.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
@@ -98,7 +97,7 @@ mod tests {
     fn a_rung_between_two_rims_goes() {
         let mut lines = rows(1.5);
         lines.add_edge(9, 30);
-        remove_rungs(&mut lines, UNIT);
+        remove_rungs(&mut lines, UNIT, &RepairParams::default());
         assert_eq!(lines.edge_count(), 38);
     }
 
@@ -107,7 +106,7 @@ mod tests {
         let mut lines = rows(1.5);
         lines.add_edge(0, 20);
         lines.add_edge(19, 39);
-        remove_rungs(&mut lines, UNIT);
+        remove_rungs(&mut lines, UNIT, &RepairParams::default());
         assert_eq!(lines.edge_count(), 40);
     }
 
@@ -115,7 +114,7 @@ mod tests {
     fn a_long_link_stays() {
         let mut lines = rows(6.0);
         lines.add_edge(9, 29);
-        remove_rungs(&mut lines, UNIT);
+        remove_rungs(&mut lines, UNIT, &RepairParams::default());
         assert_eq!(lines.edge_count(), 39);
     }
 }

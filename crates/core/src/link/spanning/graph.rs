@@ -10,10 +10,7 @@ use crate::params::PenaltyForm;
 use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
-/// Least ratio of the area that a cycle encloses to its length, spacings (robust form): keeps two strands of one band from
-/// passing for a loop.
-const OPENNESS: f64 = 0.9;
-/// Longest cycle that is looked at whole for that, in `rho`.
+/// Longest cycle whose openness is looked at, in `rho`.
 const WHOLE_CYCLE: f64 = 8.0;
 
 /// Adds the edges in their order, unless they close a cycle that is shorter than `rho` or, in the robust form, encloses
@@ -64,7 +61,7 @@ pub(crate) fn closes_long(
         // A cycle much longer than it is wide may be two strands of one band: look at the shortest one whole.
         PenaltyForm::Robust => walker
             .path(lines, edge.a, edge.b, WHOLE_CYCLE * rule.rho)
-            .is_none_or(|path| openness(&lines.positions, &path) >= OPENNESS * resolution.unit()),
+            .is_none_or(|path| openness(&lines.positions, &path) >= rule.openness * resolution.unit()),
     }
 }
 

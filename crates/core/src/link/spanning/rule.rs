@@ -3,9 +3,6 @@
 use crate::params::{Auto, PenaltyForm, SpanningParams};
 use crate::resolution::Resolution;
 
-/// Length in spacings of the shortest loop that is told from noise when `rho` is left to the data.
-const SHORTEST_LOOP: f64 = 10.0;
-
 /// What the lengths of cycles and branches are measured in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Metric {
@@ -22,6 +19,9 @@ pub(crate) struct CycleRule {
     pub(crate) rho: f64,
     /// What `rho` is measured in.
     pub(crate) metric: Metric,
+    /// Least ratio of the area that a cycle encloses to its length, spacings (robust form): keeps two strands of one band from
+    /// passing for a loop.
+    pub(crate) openness: f64,
     /// Whether cycles are tested, and lines repaired, as printed or in the robust form.
     pub(crate) form: PenaltyForm,
 }
@@ -38,13 +38,30 @@ impl CycleRule {
         let (rho, metric) = match (params.rho, form) {
             (Auto::Given(rho), _) => (rho as f64, Metric::Edges),
             (Auto::Auto, PenaltyForm::Paper) => (0.5 * (points as f64).sqrt(), Metric::Edges),
-            (Auto::Auto, PenaltyForm::Robust) => (SHORTEST_LOOP, Metric::Lengths(resolution.unit())),
+            (Auto::Auto, PenaltyForm::Robust) => (params.loop_spacings, Metric::Lengths(resolution.unit())),
         };
-        CycleRule { rho, metric, form }
+        CycleRule { rho, metric, openness: params.openness_spacings, form }
     }
 
     /// Least depth of a branch that stays.
     pub(crate) fn long_branch(&self) -> f64 {
         0.5 * self.rho
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rho_is_the_documented_default_of_either_form() {
+        let (params, resolution) = (SpanningParams::default(), Resolution { spacing: 2.0, noise: 0.0 });
+        let printed = CycleRule::new(&params, PenaltyForm::Paper, 40_000, resolution);
+        assert_eq!((printed.rho, printed.metric), (100.0, Metric::Edges));
+        let robust = CycleRule::new(&params, PenaltyForm::Robust, 40_000, resolution);
+        assert_eq!((robust.rho, robust.metric), (params.loop_spacings, Metric::Lengths(resolution.unit())));
+        let given = SpanningParams { rho: Auto::Given(30), ..params };
+        let rule = CycleRule::new(&given, PenaltyForm::Robust, 40_000, resolution);
+        assert_eq!((rule.rho, rule.metric), (30.0, Metric::Edges));
     }
 }

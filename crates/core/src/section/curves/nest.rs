@@ -1,4 +1,4 @@
-//! Which contour lies within which, how they run, and what they enclose.
+//! The nesting of contours: which lies within which.
 
 use crate::curve::polygon::{contains, measure};
 

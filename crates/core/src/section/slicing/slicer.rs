@@ -169,7 +169,7 @@ impl<'a> Slicer<'a> {
         (count, samples)
     }
 
-    /// Whether the points of a tile may be taken together: an outline through feature points, or along a side, wants
+    /// Whether the points of a tile may be taken together: an outline through feature points, or along a side, needs
     /// the points themselves.
     fn merges(&self) -> bool {
         self.params.outline == Outline::Middle && self.params.side == Side::Middle

@@ -21,7 +21,7 @@ pub(crate) struct Tile {
     pub plane: TangentPlane,
     /// Whether that plane holds for each of them.
     pub flat: bool,
-    /// Whether the [`QUAD`] tiles it is one of share one plane, which is then the plane of each.
+    /// Whether the four tiles of its quad share one plane, which is then the plane of each.
     pub joined: bool,
     /// Whether its points do not show how it lies across.
     pub narrow: bool,

@@ -4,15 +4,15 @@ use super::facets::{Facet, Facets};
 use crate::math::least_squares::least_squares;
 use crate::math::vec3;
 
-/// Rounds in which a line settles, and how many times as far off facets may be in the first half of them and in the others:
-/// without room it would stay where it is.
+/// Rounds in which a line settles, and the factors on the angle that facets may be off in the first half of them and in the
+/// second: without room it would not move.
 const ROUNDS: usize = 8;
 const WIDER: [f64; 2] = [3.0, 2.0];
 /// How far from a line, in spacings, the normals of facets turned about it pass.
 const PASSES_WITHIN: f64 = 0.5;
 /// Radius, in shares of the reach, within which facets turned about a line tell no more than there.
 const LEAST_RADIUS: f64 = 0.1;
-/// Weight, of the whole surface, by which a line stays where nothing moves it.
+/// Weight, as a share of the whole surface, that keeps a line in place where no facet moves it.
 const STAY_WEIGHT: f64 = 1e-6;
 /// Height, in spacings, over which faces across the axis are one change of the section.
 const LEVEL_HEIGHT: f64 = 2.0;
@@ -24,7 +24,7 @@ pub(crate) struct Pose {
     through: [f64; 3],
 }
 
-/// How a facet lies to a line.
+/// The relation of a facet to a line.
 enum Lie {
     Standing,
     /// With the sign that its normal has along the axis.

@@ -15,9 +15,9 @@ const FACE_POINTS: usize = 8;
 const PARABOLA_SHARE: f64 = 0.8;
 /// Least that it must explain, in shares of one point of the squared spread.
 const PARABOLA_GAIN: f64 = 12.0;
-/// How many times as many as seem level by chance show a face.
+/// A cluster shows a face if the largest one has no more than this many times its points.
 const CHANCE: usize = 8;
-/// How many times as many show one of several, which is fitted by itself.
+/// Fewest points of one face among several, which is fitted by itself, in multiples of the fewest.
 const PART: usize = 3;
 /// How far apart, in spacings, points of one face lie at most.
 const FACE_GAP: f64 = 3.0;

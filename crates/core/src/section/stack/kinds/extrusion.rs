@@ -5,7 +5,7 @@ use crate::section::stack::result::Feature;
 
 /// Share of a run's contours that must be circles for it to be round.
 const ROUND_SHARE: f64 = 0.6;
-/// Slices, and height in spacings, over which a like outline shows upright walls.
+/// Fewest slices, and least height in spacings, over which a constant outline shows upright walls.
 const UPRIGHT_SLICES: usize = 3;
 const UPRIGHT_HEIGHT: f64 = 4.0;
 /// Fewer slices show little of how walls stand.
