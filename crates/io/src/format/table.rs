@@ -1,6 +1,6 @@
-//! The table of formats. A new format is a row here, a variant of an enum in `format.rs`, and a file in `read/` or `write/`.
+//! The table of formats. A new format is a row here, a variant of an enum in `format/kinds.rs`, and a file in `read/` or `write/`.
 
-use super::{FileFormat, Format, NetworkFormat, PatchFormat, PointFormat, SectionFormat};
+use super::kinds::{FileFormat, Format, NetworkFormat, PatchFormat, PointFormat, SectionFormat};
 
 /// Help lines of the formats that hold points.
 const POINTS: &str = "the points and their attributes, with class and score";

@@ -7,6 +7,7 @@ mod gps;
 mod header;
 mod laz;
 mod median;
+mod packing;
 mod point14;
 pub(crate) mod points;
 mod records;

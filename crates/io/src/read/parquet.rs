@@ -1,6 +1,7 @@
 //! Apache Parquet: flat columns of numbers, of which three are called x, y and z. Columns of text, dates as text and
 //! nested columns are left out. The crate `parquet` decodes what [`pages`] has found to fit the file.
 
+mod page;
 mod pages;
 mod schema;
 mod unpack;

@@ -7,7 +7,7 @@ mod lzf;
 
 use super::rows::{Table, room};
 use super::{Decoded, ReadOptions, limit};
-use crate::columns::{Endian, Scalar};
+use crate::columns::Endian;
 use crate::error::Error;
 use crate::source::Source;
 use header::{Data, Header};
@@ -89,21 +89,4 @@ fn note_rest(source: &mut Source, header: &Header, out: &mut Decoded) -> Result<
         out.ignored.push(format!("{extra} bytes after the last point"));
     }
     Ok(())
-}
-
-/// The number type of `TYPE` and `SIZE`.
-fn scalar(kind: &[u8], size: u64) -> Option<Scalar> {
-    Some(match (kind, size) {
-        (b"I", 1) => Scalar::I8,
-        (b"U", 1) => Scalar::U8,
-        (b"I", 2) => Scalar::I16,
-        (b"U", 2) => Scalar::U16,
-        (b"I", 4) => Scalar::I32,
-        (b"U", 4) => Scalar::U32,
-        (b"I", 8) => Scalar::I64,
-        (b"U", 8) => Scalar::U64,
-        (b"F", 4) => Scalar::F32,
-        (b"F", 8) => Scalar::F64,
-        _ => return None,
-    })
 }

@@ -8,7 +8,6 @@ mod header;
 
 use super::rows::{Table, room};
 use super::{Decoded, ReadOptions};
-use crate::columns::Scalar;
 use crate::error::Error;
 use crate::source::Source;
 use header::{Element, Encoding, Header, Kind};
@@ -121,21 +120,4 @@ fn note_ignored(
         }
     }
     Ok(())
-}
-
-/// Number types by their names in headers.
-fn scalar(name: &[u8]) -> Option<Scalar> {
-    Some(match name {
-        b"char" | b"int8" => Scalar::I8,
-        b"uchar" | b"uint8" => Scalar::U8,
-        b"short" | b"int16" => Scalar::I16,
-        b"ushort" | b"uint16" => Scalar::U16,
-        b"int" | b"int32" => Scalar::I32,
-        b"uint" | b"uint32" => Scalar::U32,
-        b"int64" => Scalar::I64,
-        b"uint64" => Scalar::U64,
-        b"float" | b"float32" => Scalar::F32,
-        b"double" | b"float64" => Scalar::F64,
-        _ => return None,
-    })
 }

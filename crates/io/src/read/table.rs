@@ -3,16 +3,18 @@
 
 mod layout;
 mod split;
+mod value;
 
 use super::{Decoded, ReadOptions};
 use crate::columns::narrowed;
 use crate::error::Error;
-use crate::number::{self, integer, shown};
+use crate::number::{integer, shown};
 use crate::source::Source;
 pub(super) use layout::find_axis;
 use layout::{Layout, Role};
 use lineament::Attribute;
 use split::Separator;
+use value::value;
 
 /// Reads a table input.
 pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
@@ -171,25 +173,6 @@ impl Rows {
         let length = self.positions.len();
         self.columns.iter_mut().for_each(|(_, values)| values.truncate(length));
     }
-}
-
-/// A field as a number; NaN if it is empty or marks a missing value.
-#[inline]
-fn value(field: &[u8], decimal_comma: bool) -> Option<f64> {
-    if !decimal_comma && let Some(value) = number::parse(field) {
-        return Some(value);
-    }
-    if decimal_comma && !field.contains(&b'.') {
-        let mut text = field.to_vec();
-        if let Some(comma) = text.iter().position(|&b| b == b',') {
-            text[comma] = b'.';
-        }
-        if let Some(value) = number::parse(&text) {
-            return Some(value);
-        }
-    }
-    let missing: [&[u8]; 5] = [b"", b"na", b"n/a", b"null", b"none"];
-    missing.iter().any(|word| field.eq_ignore_ascii_case(word)).then_some(f64::NAN)
 }
 
 impl std::fmt::Display for Separator {

@@ -2,7 +2,7 @@
 //! points before the decoder sees it.
 
 use super::header::{Fields, Header};
-use super::laz::Packing;
+use super::packing::Packing;
 use crate::error::{Error, Place};
 use crate::quiet;
 use crate::source::{Input, Source};

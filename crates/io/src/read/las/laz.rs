@@ -5,6 +5,7 @@ use super::chunks::{Chunk, at, chunks};
 use super::copc;
 use super::gps::GpsTime;
 use super::header::{Fields, Header, LasFrame, Record};
+use super::packing::Packing;
 use super::point14::Point14;
 use super::records;
 use crate::error::{Error, Place};
@@ -13,7 +14,7 @@ use crate::read::rows::{Field, Part, Table};
 use crate::read::{ReadOptions, limit};
 use crate::source::{Input, Shared, Source};
 use laz::record::{LayeredPointRecordDecompressor, RecordDecompressor, SequentialPointRecordDecompressor};
-use laz::{DecompressionSelection, LazItem, LazItemType, LazVlr};
+use laz::{DecompressionSelection, LazItemType, LazVlr};
 use rayon::prelude::*;
 use std::io::{Cursor, Seek, SeekFrom};
 
@@ -21,18 +22,6 @@ use std::io::{Cursor, Seek, SeekFrom};
 const STEP: usize = 1 << 17;
 /// Chunks that are shared out among threads at a time: a part of the table takes more memory than the least chunk.
 const GROUP: usize = 1 << 10;
-
-/// How the records are packed.
-pub(super) struct Packing {
-    items: Vec<LazItem>,
-    layered: bool,
-    /// Layers of a layered chunk.
-    layers: usize,
-    /// Bytes of a record.
-    pub record: usize,
-    /// The layers to unpack: without attributes only coordinates.
-    selection: DecompressionSelection,
-}
 
 /// Numbers of whole points, and of those skipped because they lie outside the bounds.
 pub(super) struct Taken {

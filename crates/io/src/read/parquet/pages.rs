@@ -1,6 +1,7 @@
 //! The pages of a Parquet column, walked over before the decoder sees them: it takes memory for what their headers
 //! claim. Headers are Thrift structures in the compact protocol.
 
+use super::page::Page;
 use super::unpack;
 use crate::error::{Error, Place};
 use crate::read::{ReadOptions, limit};
@@ -16,19 +17,6 @@ const DEPTH: u8 = 12;
 const DEEP: i16 = i16::MIN;
 /// The least bytes of a value in a dictionary of numbers.
 const LEAST_VALUE: i64 = 4;
-
-/// What a header says.
-#[derive(Default)]
-pub(super) struct Page {
-    pub unpacked: i64,
-    pub packed: i64,
-    /// Values of a dictionary.
-    pub dictionary: i64,
-    /// Bytes of levels, which stand in front unpacked, in pages of the second version.
-    pub levels: [i64; 2],
-    /// Whether a page of the second version is not packed at all.
-    pub plain: bool,
-}
 
 /// Checks every page of a column against the bytes that are there, and what it unpacks to against the `room` in memory.
 pub(super) fn check(

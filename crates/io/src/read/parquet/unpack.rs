@@ -1,7 +1,7 @@
 //! Packed pages whose decoder would unpack on beyond the size that the page states: Gzip, Brotli, and LZ4 in frames. The
 //! others (Snappy, Zstandard, plain LZ4) unpack into a buffer of that size.
 
-use super::pages::Page;
+use super::page::Page;
 use crate::source::Shared;
 use ::parquet::basic::Compression;
 use flate2::read::MultiGzDecoder;

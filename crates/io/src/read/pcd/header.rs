@@ -1,6 +1,5 @@
 //! The header of a PCD input.
 
-use super::scalar;
 use crate::columns::Scalar;
 use crate::error::Error;
 use crate::number::{self, integer, shown, tokens};
@@ -233,4 +232,21 @@ fn one(source: &Source, key: &[u8], values: &[&[u8]]) -> Result<u64, Error> {
             Err(source.malformed_line(found, "expected one"))
         }
     }
+}
+
+/// The number type of `TYPE` and `SIZE`.
+fn scalar(kind: &[u8], size: u64) -> Option<Scalar> {
+    Some(match (kind, size) {
+        (b"I", 1) => Scalar::I8,
+        (b"U", 1) => Scalar::U8,
+        (b"I", 2) => Scalar::I16,
+        (b"U", 2) => Scalar::U16,
+        (b"I", 4) => Scalar::I32,
+        (b"U", 4) => Scalar::U32,
+        (b"I", 8) => Scalar::I64,
+        (b"U", 8) => Scalar::U64,
+        (b"F", 4) => Scalar::F32,
+        (b"F", 8) => Scalar::F64,
+        _ => return None,
+    })
 }

@@ -162,7 +162,7 @@ fn add_property(source: &Source, elements: &mut [Element], words: &[&[u8]]) -> R
     };
     let of = |name: &[u8]| {
         let advice = "expected char, uchar, short, ushort, int, uint, float, double or int8 to float64";
-        super::scalar(name).ok_or_else(|| source.malformed_line(format!("type {}", shown(name)), advice))
+        scalar(name).ok_or_else(|| source.malformed_line(format!("type {}", shown(name)), advice))
     };
     let (name, kind) = match words {
         [b"list", count, item, name] => {
@@ -183,4 +183,21 @@ fn add_property(source: &Source, elements: &mut [Element], words: &[&[u8]]) -> R
     let name = String::from_utf8_lossy(name).into_owned();
     element.properties.push(Property { name, kind });
     Ok(())
+}
+
+/// Number types by their names in headers.
+fn scalar(name: &[u8]) -> Option<Scalar> {
+    Some(match name {
+        b"char" | b"int8" => Scalar::I8,
+        b"uchar" | b"uint8" => Scalar::U8,
+        b"short" | b"int16" => Scalar::I16,
+        b"ushort" | b"uint16" => Scalar::U16,
+        b"int" | b"int32" => Scalar::I32,
+        b"uint" | b"uint32" => Scalar::U32,
+        b"int64" => Scalar::I64,
+        b"uint64" => Scalar::U64,
+        b"float" | b"float32" => Scalar::F32,
+        b"double" | b"float64" => Scalar::F64,
+        _ => return None,
+    })
 }

@@ -1,6 +1,7 @@
 //! The layout of a table, recognised from its first rows.
 
 use super::split::{Separator, ends_open, fields, is_comment, uncommented};
+use super::value::value;
 use crate::error::{Error, Place};
 use crate::number::{integer, is_blank, parse, shown, tokens};
 use crate::source::Source;
@@ -326,7 +327,7 @@ fn assign(
             header.as_ref().map_or_else(|| format!("column_{}", column + 1), |names| names[column].clone());
         let role = if let Some(axis) = axes.iter().position(|&c| c == column) {
             Role::Axis(axis)
-        } else if super::value(sample(column), layout.decimal_comma).is_some() {
+        } else if value(sample(column), layout.decimal_comma).is_some() {
             layout.names.push(name);
             Role::Column(layout.names.len() - 1)
         } else {

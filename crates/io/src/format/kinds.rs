@@ -1,0 +1,137 @@
+//! Formats by what they hold.
+
+/// A file format with its uses. A line for help texts stands beside each use that writes.
+#[derive(Clone, Copy, Debug)]
+pub struct FileFormat {
+    /// Name in messages.
+    pub name: &'static str,
+    /// Extensions without their dots, in lower case; the first is the usual one.
+    pub extensions: &'static [&'static str],
+    /// As a format of point clouds that are read.
+    pub read: Option<Format>,
+    /// As a format of networks.
+    pub network: Written<NetworkFormat>,
+    /// As a format of classified points.
+    pub points: Written<PointFormat>,
+    /// As a format of patches.
+    pub patches: Written<PatchFormat>,
+    /// As a format of sections.
+    pub section: Written<SectionFormat>,
+}
+
+/// A format that is written, with its line in help texts.
+pub type Written<T> = Option<(T, &'static str)>;
+
+/// A format that point clouds are read from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum Format {
+    /// Polygon file format, ascii or binary.
+    Ply,
+    /// Rows of numbers: XYZ, TXT, CSV, ASC, PTS and their kin.
+    Table,
+    /// Wavefront object.
+    Obj,
+    /// Point cloud data, ascii, binary or compressed.
+    Pcd,
+    /// LAS and LAZ, and COPC, which is LAZ.
+    Las,
+    /// ASTM E2807.
+    E57,
+    /// Leica's organised scans as text.
+    Ptx,
+    /// Triangles, ascii or binary.
+    Stl,
+    /// Geomview's object file format.
+    Off,
+    /// NumPy's array format.
+    Npy,
+    /// NumPy's archives of arrays.
+    Npz,
+    /// Apache Parquet.
+    Parquet,
+    /// Binary point sets of the Expe library.
+    Expe,
+    /// glTF 2.0, binary (GLB) or JSON.
+    Gltf,
+}
+
+/// A format that networks are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NetworkFormat {
+    /// The documented schema `lineament-network/1`.
+    Json,
+    /// Wavefront lines.
+    Obj,
+    /// Vertices and edges, binary.
+    Ply,
+    /// 3D polylines, release 12.
+    Dxf,
+    /// A drawing in millimetres.
+    Svg,
+    /// Lines and points in the frame of the input.
+    GeoJson,
+    /// The same as a database of two layers.
+    GeoPackage,
+    /// Binary glTF lines.
+    Glb,
+    /// VTK polygonal data.
+    Vtp,
+    /// A row for each point.
+    Csv,
+}
+
+/// A format that classified points are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PointFormat {
+    /// The classes as an array of bytes.
+    Npy,
+    /// Positions, class, score and the attributes of the input, an array each.
+    Npz,
+    /// The same as columns of Apache Parquet.
+    Parquet,
+    /// Positions, class, score and the attributes of the input, binary.
+    Ply,
+    /// The same as PCD, binary.
+    Pcd,
+    /// The same as text with blanks.
+    Xyz,
+    /// The same as text with commas.
+    Csv,
+    /// The same as LAS 1.4.
+    Las,
+    /// The same as LAZ 1.4.
+    Laz,
+}
+
+/// A format that patches are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PatchFormat {
+    /// The schema `lineament-network/1` with loops, sides and surfaces.
+    Json,
+    /// The loops as 3D polylines, a layer for each patch.
+    Dxf,
+    /// The points with the patch of each.
+    Points(PointFormat),
+}
+
+/// A format that sections are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SectionFormat {
+    /// The documented schema `lineament-section/1`.
+    Json,
+    /// Wavefront lines, a group for each slice.
+    Obj,
+    /// Vertices and edges, binary.
+    Ply,
+    /// Lines, arcs, circles and polylines, release 12, a layer for each slice; names of the runs as texts.
+    Dxf,
+    /// A sheet with all slices side by side.
+    Svg,
+    /// Polygons with their holes, and lines.
+    GeoJson,
+}
