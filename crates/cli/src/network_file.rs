@@ -61,7 +61,7 @@ fn strip(value: &Value) -> Result<Strip, String> {
         curve: Default::default(),
         sources: Vec::new(),
         fold_deg: None,
-        evidence: 0.0,
+        evidence: None,
         deviation: 0.0,
         confidence: value["confidence"].as_f64().unwrap_or(0.0),
     })

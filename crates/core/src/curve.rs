@@ -10,5 +10,5 @@ pub(crate) mod polyline;
 mod rows;
 
 pub use bspline::BSpline;
-pub use fit::{FitOptions, fit};
+pub(crate) use fit::{FitOptions, fit};
 pub(crate) use fit_within::fit_within;

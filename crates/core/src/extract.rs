@@ -41,9 +41,8 @@ pub fn extract_observed(
     let patches = method::wants_patches(params).then(|| {
         clock.run(Stage::Patches, || method::patches(&cloud, &measure, &mut pattern, &mut network, params))
     });
-    if measure.class.is_empty() {
-        measure.class = classes(&cloud.positions, &network, cloud.resolution);
-    }
+    let class =
+        measure.class.clone().unwrap_or_else(|| classes(&cloud.positions, &network, cloud.resolution));
     let report = Report {
         stages: clock.stages,
         settings: method::settings(&cloud, params),
@@ -53,7 +52,7 @@ pub fn extract_observed(
     let Prepared { frame, source, canonical, .. } = cloud;
     let (network, stay) = to_world(network, &frame, &source);
     let patches = patches.map(|p| p.placed(&frame).of_strips(&stay));
-    Ok(Extraction { report, frame, source, canonical, measure, pattern, clusters, network, patches })
+    Ok(Extraction { report, frame, source, canonical, measure, class, pattern, clusters, network, patches })
 }
 
 /// Everything that [`extract`] found, stage by stage.
@@ -69,6 +68,8 @@ pub struct Extraction {
     pub canonical: Vec<u32>,
     /// What the detector said of every point kept, canonical order, local frame.
     pub measure: Measure,
+    /// `(M)` what each point kept is, canonical order: by the detector, or from the network.
+    pub class: Vec<Class>,
     /// What the linker made of it, canonical indices, local frame.
     pub pattern: Pattern,
     /// What the method `segments` went through, canonical indices, local frame; `None` with any other.
@@ -82,10 +83,7 @@ pub struct Extraction {
 impl Extraction {
     /// `(N)` the class of every point of the input, in its order; dropped points are smooth.
     pub fn classes(&self) -> Vec<Class> {
-        self.canonical
-            .iter()
-            .map(|&c| self.measure.class.get(c as usize).copied().unwrap_or_default())
-            .collect()
+        self.canonical.iter().map(|&c| self.class.get(c as usize).copied().unwrap_or_default()).collect()
     }
 
     /// `(N)` the score of every point of the input, in its order, 0 to 1; NaN for dropped points.

@@ -1,5 +1,9 @@
 //! Feature lines from point clouds: creases, borders and corners as ordered, closed curves.
 //!
+//! No parameter needs a guess; [`Params`] lists what can be set.
+//!
+//! # Lines
+//! [`extract()`] is the whole pipeline, and [`Extraction`] keeps every stage of it.
 //! ```
 //! use lineament::{NodeKind, Params, extract, shapes};
 //!
@@ -14,8 +18,58 @@
 //! # Ok::<(), lineament::Error>(())
 //! ```
 //!
-//! [`extract()`] is the whole pipeline; [`Extraction`] keeps every stage of it. No parameter needs a guess: [`Params`] lists
-//! what can be set. [`shapes`] makes scans with known networks, [`check`] says whether a network is sound and scores it.
+//! # Classes of points
+//! ```
+//! use lineament::{Class, Params, extract, shapes};
+//!
+//! let found = extract(&shapes::cube_386().cloud, &Params::default())?;
+//! let smooth = found.classes().iter().filter(|&&class| class == Class::Smooth).count();
+//! assert_eq!(smooth, 6 * 7 * 7);
+//! # Ok::<(), lineament::Error>(())
+//! ```
+//! [`detect::points::mark`] marks points by one measure alone, without lines.
+//!
+//! # Patches
+//! ```
+//! use lineament::params::Auto;
+//! use lineament::shapes::{Sampling, Scan, cube};
+//! use lineament::{Method, Params, extract};
+//!
+//! let cloud = cube(10.0).sample(&Scan::new(Sampling::Area { count: 8000 }).seed(1)).cloud;
+//! let mut params = Params { method: Method::Segments, ..Params::default() };
+//! params.patches.find = Auto::Given(true);
+//! let found = extract(&cloud, &params)?;
+//! let patches = found.patches.unwrap();
+//! assert_eq!((patches.patches.len(), patches.separating()), (6, 12));
+//! # Ok::<(), lineament::Error>(())
+//! ```
+//!
+//! # Sections
+//! ```
+//! use lineament::section::{Axis, Planes, SectionParams, section};
+//! use lineament::shapes::{Sampling, Scan, cube};
+//!
+//! let cloud = cube(2.0).sample(&Scan::new(Sampling::Area { count: 5000 }).seed(1)).cloud;
+//! let params = SectionParams { axis: Axis::Coordinate(2), planes: Planes::Count(3), ..SectionParams::default() };
+//! let sections = section(&cloud, &params)?;
+//! assert_eq!(sections.contours().filter(|(_, contour)| contour.closed).count(), 3);
+//! # Ok::<(), lineament::Error>(())
+//! ```
+//!
+//! # Pictures
+//! ```
+//! use lineament::apply::render::{Scene, Settings, View, render, surfels};
+//!
+//! let cloud = lineament::shapes::cube_386().cloud;
+//! let (surfels, spacing) = surfels(&cloud)?;
+//! let scene = Scene { surfels: &surfels, network: None, spacing };
+//! let settings = Settings { view: View::Best, width: 160, height: 120, ..Settings::default() };
+//! assert_eq!(render(&scene, &settings)?.rgb.len(), 3 * 160 * 120);
+//! # Ok::<(), lineament::Error>(())
+//! ```
+//!
+//! [`shapes`] makes scans with known networks, [`check`] says whether a network is sound, and [`evaluate`] scores it.
+//! [`papers`] leads from the terms of the papers to the code.
 
 pub mod apply;
 pub mod check;
@@ -26,34 +80,36 @@ pub mod detect;
 mod error;
 pub mod evaluate;
 mod extract;
-pub mod frame;
+mod frame;
 mod link;
 pub mod math;
-pub mod measure;
+mod measure;
 mod method;
 pub mod neighbors;
-pub mod network;
+mod network;
 pub mod papers;
 pub mod params;
 pub mod patch;
-pub mod pattern;
+mod pattern;
 mod prepare;
 mod recover;
 mod report;
-pub mod resolution;
+mod resolution;
 pub mod section;
 pub mod shapes;
 
 pub use cloud::{Attribute, Cloud, Column};
+pub use detect::segments::{Segmentation, Segmented};
 pub use error::Error;
 pub use extract::{Extraction, extract, extract_observed};
 pub use frame::{Frame, Localised};
-pub use measure::{Class, Measure};
+pub use link::clusters::GraphStage;
+pub use measure::{Class, Direction, Evidence, Measure, Penalties};
 pub use method::ClusterStages;
 pub use neighbors::Neighbors;
 pub use network::{Network, Node, NodeKind, Strip, StripKind};
 pub use params::{Entry, Method, Params};
 pub use patch::{Patch, Patches};
-pub use pattern::Pattern;
+pub use pattern::{LineGraph, Pattern};
 pub use report::{Progress, Report, Stage};
 pub use resolution::Resolution;

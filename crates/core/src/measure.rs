@@ -10,8 +10,8 @@ pub struct Measure {
     pub density: Vec<f32>,
     /// `(N)` evidence of a feature, 0 smooth to 1 certain.
     pub score: Vec<f32>,
-    /// `(N)` what the point is: set by a detector that has a classification of its own, else from the network.
-    pub class: Vec<Class>,
+    /// `(N)` what the point is, by a detector that has a classification of its own.
+    pub class: Option<Vec<Class>>,
     /// `(N, 3)` unit normals without orientation.
     pub normal: Vec<[f32; 3]>,
     /// Against being on a crease.

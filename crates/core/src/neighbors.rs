@@ -1,6 +1,6 @@
 //! Nearest neighbours of every point, as flat lists.
 
-pub mod delaunay_ring;
+pub(crate) mod delaunay_ring;
 mod density;
 mod engine;
 mod found;

@@ -21,7 +21,7 @@ const FITS: [(usize, f64); 2] = [(9, 0.799), (13, 0.852)];
 /// The same quantile for the hundred points and more of a neighbourhood by graph distance.
 const WIDE_QUANTILE: f64 = 0.96;
 /// Greatest graph distance that noise is looked for at.
-const WIDEST: usize = 5;
+const WIDEST_HOPS: usize = 5;
 /// Points whose neighbours are this many times as far off as those of most do not count.
 const STRAY: f64 = 8.0;
 /// A low quantile over the points keeps creases and curved places out.
@@ -79,7 +79,7 @@ fn six(nearest: &[u32]) -> &[u32] {
 /// The noise in neighbourhoods of graph distance two and more: the first that is flat, else the widest.
 fn wide_noise(points: &[[f64; 3]], graph: &Neighbors, chosen: &[usize]) -> Option<f64> {
     let few: Vec<usize> = chosen.iter().copied().step_by(chosen.len().div_ceil(2000).max(1)).collect();
-    (2..=WIDEST).find_map(|hops| {
+    (2..=WIDEST_HOPS).find_map(|hops| {
         let mut scratch = Scratch::default();
         let sets = few.iter().map(|&i| (i, graph.hops(i, hops, &mut scratch).to_vec())).collect();
         flat_residual(points, sets, WIDE_QUANTILE)

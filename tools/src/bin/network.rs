@@ -38,7 +38,7 @@ fn network(points: usize) -> Network {
         curve: BSpline::default(),
         sources: vec![0],
         fold_deg: None,
-        evidence: 0.0,
+        evidence: None,
         deviation: 0.001,
         confidence: 0.9,
     };

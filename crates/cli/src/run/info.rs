@@ -2,10 +2,8 @@
 
 use std::fmt::Write;
 
-use lineament::frame::Frame;
 use lineament::neighbors::{all_nearest, riemannian};
-use lineament::resolution::Resolution;
-use lineament::{Cloud, Column};
+use lineament::{Cloud, Column, Frame, Resolution};
 use lineament_io::ReadOptions;
 
 use crate::args::Info;

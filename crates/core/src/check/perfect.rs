@@ -35,7 +35,7 @@ pub(crate) fn strip(curve: &TruthCurve) -> Strip {
         curve: BSpline { degree, knots, controls: curve.points.clone(), periodic: curve.closed },
         sources: vec![0, 1],
         fold_deg: None,
-        evidence: 0.0,
+        evidence: None,
         deviation: 0.0,
         confidence: 1.0,
     }

@@ -76,6 +76,7 @@ fn sorted(values: [f64; 3], vectors: [[f64; 3]; 3]) -> Eigen3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::uniform::uniform;
     use crate::math::vec3::dot;
 
     fn product(m: &Symmetric3, x: [f64; 3]) -> [f64; 3] {
@@ -88,11 +89,8 @@ mod tests {
 
     #[test]
     fn vectors_satisfy_the_eigenvalue_equation_over_many_scales() {
-        let mut state = 7_u64;
-        let mut next = || {
-            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
-        };
+        let mut uniform = uniform(7);
+        let mut next = || uniform() - 0.5;
         for round in 0..2000 {
             let scale = 10_f64.powi(round % 25 - 12);
             let m: Symmetric3 = std::array::from_fn(|_| next() * scale);

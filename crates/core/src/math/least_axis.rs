@@ -54,20 +54,14 @@ pub fn least_axis(m: &Symmetric3) -> (f64, [f64; 3]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::tensor::add_product;
+    use crate::math::uniform::uniform;
     use crate::math::vec3::{add_scaled, unit};
-
-    fn add_product(m: &mut Symmetric3, v: [f64; 3], weight: f64) {
-        let entries = [v[0] * v[0], v[0] * v[1], v[0] * v[2], v[1] * v[1], v[1] * v[2], v[2] * v[2]];
-        m.iter_mut().zip(entries).for_each(|(sum, x)| *sum += weight * x);
-    }
 
     #[test]
     fn it_agrees_with_jacobi_on_tensors_from_flat_to_round() {
-        let mut state = 11_u64;
-        let mut next = || {
-            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
-        };
+        let mut uniform = uniform(11);
+        let mut next = || uniform() - 0.5;
         for round in 0..3000 {
             let flat = [1.0, 0.3, 1e-2, 1e-5, 1e-9, 0.0][round % 6];
             let size = 10_f64.powi(round as i32 % 13 - 6);

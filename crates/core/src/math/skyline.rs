@@ -36,11 +36,6 @@ impl Skyline {
         self.first.len()
     }
 
-    /// Whether there is no row.
-    pub fn is_empty(&self) -> bool {
-        self.first.is_empty()
-    }
-
     /// Factorises in place to `L L^t`; false when a pivot is not positive, that is when the matrix is singular to
     /// rounding.
     pub fn factorise(&mut self) -> bool {

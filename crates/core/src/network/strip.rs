@@ -24,8 +24,8 @@ pub struct Strip {
     pub deviation: f64,
     /// Mean angle between the faces along a crease, degrees; `None` for borders and where the detector does not measure it.
     pub fold_deg: Option<f64>,
-    /// Mean evidence that the line is sharp rather than round, in variances of the noise; zero where not measured.
-    pub evidence: f64,
+    /// Mean evidence that the line is sharp rather than round, in variances of the noise; `None` where it is not measured.
+    pub evidence: Option<f64>,
     /// How certain the line is, from 0 (chance) to 1: one minus the mean penalty share along it.
     pub confidence: f64,
 }

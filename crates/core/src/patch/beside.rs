@@ -13,19 +13,19 @@ use rayon::prelude::*;
 
 /// How far points count as beside a strip, spacings; and as far as the longest edge of the point, so that no edge can cross a
 /// strip unseen.
-const REACH: f64 = 3.0;
+const BESIDE: f64 = 3.0;
 /// Points nearer to the strip than this, spacings, and twice the noise more, do not say on which side they are.
 pub const SEAM: f64 = 0.4;
 /// How far beyond the end of a strip a point still counts as beside it, spacings: nothing may pass between two strips.
 const BEYOND: f64 = 1.0;
 /// Stations before and after that a station takes points from.
 const WINDOW: usize = 6;
-/// Most points that the directions at a station are found from.
-const MOST: usize = 96;
+/// Greatest number of points that the directions at a station are found from.
+const DIRECTION_POINTS: usize = 96;
 /// Half the angle of the kernel, and the least angle between the two sides.
 const KERNEL_DEG: f64 = 25.0;
-/// A side with a smaller share of the density than the other is none.
-const LEAST_SHARE: f64 = 0.12;
+/// A side counts if it has at least this share of the density of the other.
+const SIDE_SHARE: f64 = 0.12;
 
 /// A point beside a strip.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +75,7 @@ pub fn beside(ground: &Ground, mut stations: Stations) -> (Stations, Beside) {
     let spacing = ground.resolution.spacing;
     let places: Vec<[f64; 3]> = stations.all.iter().map(|s| s.position).collect();
     let index = Index::build(&places);
-    let reach = REACH * ground.resolution.unit();
+    let reach = BESIDE * ground.resolution.unit();
     let lists: Vec<Vec<Entry>> = (0..ground.points.len())
         .into_par_iter()
         .with_min_len(1024)
@@ -166,7 +166,7 @@ fn directions(stations: &mut Stations, beside: &Beside, short: f64) {
 
 /// The one or two directions in which most of the points lie.
 fn two(window: &[([f64; 2], f64)], border: bool) -> [Option<[f64; 2]>; 2] {
-    let step = window.len().div_ceil(MOST).max(1);
+    let step = window.len().div_ceil(DIRECTION_POINTS).max(1);
     let some: Vec<([f64; 2], f64)> = window.iter().copied().step_by(step).collect();
     let cosine = KERNEL_DEG.to_radians().cos();
     let inner = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
@@ -181,7 +181,7 @@ fn two(window: &[([f64; 2], f64)], border: bool) -> [Option<[f64; 2]>; 2] {
     let Some(a) = best(&|_| true) else { return [None; 2] };
     let first = some[a].0;
     let second =
-        best(&|d| inner(d, first) < cosine).filter(|&b| !border && dense[b] >= LEAST_SHARE * dense[a]);
+        best(&|d| inner(d, first) < cosine).filter(|&b| !border && dense[b] >= SIDE_SHARE * dense[a]);
     let Some(b) = second else { return [Some(first), None] };
     let mut sides = [first, some[b].0];
     for _ in 0..4 {

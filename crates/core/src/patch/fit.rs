@@ -14,12 +14,12 @@ use super::beside::Beside;
 use super::ground::Ground;
 use rayon::prelude::*;
 
-/// Most points that a surface is fitted to.
-const MOST: usize = 800;
+/// Greatest number of points that a surface is fitted to.
+const FITTED_POINTS: usize = 800;
 /// Points nearer to a strip than this, spacings, are left out where enough others are there.
-const CLEAR: f64 = 0.8;
-/// Fewest points that the clear ones must be.
-const LEAST: usize = 24;
+const CLEAR_OF_STRIPS: f64 = 0.8;
+/// Fewest points clear of strips that a fit makes do with.
+const FEWEST_CLEAR: usize = 24;
 /// Residual that makes no difference, spacings: the edge of what a scan can tell.
 const FLOOR: f64 = 0.03;
 /// A patch is free-form where the best surface leaves this many spacings, and twice the noise more.
@@ -32,12 +32,12 @@ pub fn fits(ground: &Ground, normals: &[[f64; 3]], members: &[Vec<u32>], beside:
 
 fn fit(ground: &Ground, normals: &[[f64; 3]], patch: &[u32], beside: &Beside) -> Fit {
     let spacing = ground.resolution.spacing;
-    let clear = |i: &u32| beside.of(*i as usize).iter().all(|e| e.distance >= CLEAR * spacing);
+    let clear = |i: &u32| beside.of(*i as usize).iter().all(|e| e.distance >= CLEAR_OF_STRIPS * spacing);
     let mut chosen: Vec<u32> = patch.iter().copied().filter(clear).collect();
-    if chosen.len() < LEAST {
+    if chosen.len() < FEWEST_CLEAR {
         chosen = patch.to_vec();
     }
-    let step = chosen.len().div_ceil(MOST).max(1);
+    let step = chosen.len().div_ceil(FITTED_POINTS).max(1);
     let chosen: Vec<u32> = chosen.into_iter().step_by(step).collect();
     let points: Vec<[f64; 3]> = chosen.iter().map(|&i| ground.points[i as usize]).collect();
     let normals: Vec<[f64; 3]> = chosen.iter().map(|&i| normals[i as usize]).collect();

@@ -7,13 +7,13 @@ use crate::math::vec3::{dot, norm, sub};
 use rayon::prelude::*;
 
 /// Fewer points than this are no patch of their own.
-const LEAST: u32 = 6;
+const FEWEST_POINTS: u32 = 6;
 /// Where no strip is nearer than this, spacings, nothing is narrow.
-const WIDE: f64 = 0.8;
+const NOT_NARROW: f64 = 0.8;
 /// Regions join at a place that one of them is at most this many times as wide as.
 const WAIST: f64 = 2.0;
 /// Faces wider than this times that are all the same.
-const CAP: f64 = 4.0;
+const WIDTH_CAP: f64 = 4.0;
 /// Sine of the angle to the surface beyond which an edge leaves it.
 const OFF_SURFACE: f64 = 0.6;
 /// Rounds in which points on the seams join the patch beside them.
@@ -30,7 +30,7 @@ pub fn flood(ground: &Ground, beside: &Beside) -> Vec<u32> {
     let mut number = vec![NO_PATCH; count];
     let mut next = 0;
     let mut label = vec![NO_PATCH; count];
-    for i in (0..count).filter(|&i| !seam[i] && size[roots[i] as usize] >= LEAST) {
+    for i in (0..count).filter(|&i| !seam[i] && size[roots[i] as usize] >= FEWEST_POINTS) {
         let slot = &mut number[roots[i] as usize];
         if *slot == NO_PATCH {
             *slot = next;
@@ -46,8 +46,9 @@ pub fn flood(ground: &Ground, beside: &Beside) -> Vec<u32> {
 /// joined there if that place is narrow: one point that a strip's bend or end puts on the wrong side would join two faces.
 fn joined(ground: &Ground, beside: &Beside, seam: &[bool]) -> UnionFind {
     let count = ground.points.len();
-    let wide = WIDE * ground.resolution.unit();
-    let clear: Vec<f64> = (0..count).into_par_iter().map(|i| beside.clearance(i).min(CAP * wide)).collect();
+    let wide = NOT_NARROW * ground.resolution.unit();
+    let clear: Vec<f64> =
+        (0..count).into_par_iter().map(|i| beside.clearance(i).min(WIDTH_CAP * wide)).collect();
     let mut sets = UnionFind::new(count);
     let mut narrow = Vec::new();
     for i in (0..count).filter(|&i| !seam[i]) {

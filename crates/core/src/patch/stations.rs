@@ -8,10 +8,10 @@ use crate::network::{Network, Strip, StripKind};
 use crate::resolution::Resolution;
 
 /// Greatest distance between stations, spacings.
-const STEP: f64 = 0.6;
+const STATION_STEP: f64 = 0.6;
 /// Stations for each source of a strip beyond which they lie farther apart: points of two scales can make a strip of any number
 /// of spacings, and of as many points. Links between points of one scale are less than half as long.
-const A_SOURCE: usize = 64;
+const STATIONS_A_SOURCE: usize = 64;
 
 /// A place on a strip.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,7 +52,7 @@ impl Stations {
 pub fn stations(network: &Network, resolution: Resolution) -> Stations {
     let mut stations = Stations { first: vec![0], ..Default::default() };
     for (s, strip) in network.strips.iter().enumerate() {
-        append(&mut stations.all, s as u32, strip, STEP * resolution.spacing);
+        append(&mut stations.all, s as u32, strip, STATION_STEP * resolution.spacing);
         stations.first.push(stations.all.len());
         stations.border.push(strip.kind == StripKind::Border);
     }
@@ -82,9 +82,9 @@ fn append(all: &mut Vec<Station>, number: u32, strip: &Strip, step: f64) {
 }
 
 /// The points of a strip, the closing segment of a loop included, none farther than `step` from the next where
-/// [`A_SOURCE`] allows it.
+/// [`STATIONS_A_SOURCE`] allows it.
 fn places(strip: &Strip, step: f64) -> Vec<[f64; 3]> {
-    let most = A_SOURCE * strip.sources.len().max(2);
+    let most = STATIONS_A_SOURCE * strip.sources.len().max(2);
     let points = thinned(strip, most);
     let count = points.len();
     let segments = if strip.closed { count } else { count.saturating_sub(1) };

@@ -47,7 +47,7 @@ pub(super) fn strip(
         curve,
         sources,
         fold_deg: fold_deg(lines, path),
-        evidence: mean(path, |v| lines.evidence[v].map(|e| e.sharp)),
+        evidence: evidence(lines, path),
         deviation: (squares / positions.len() as f64).sqrt(),
         confidence: (1.0 - mean(path, |v| lines.penalty[v])).clamp(0.0, 1.0),
     }
@@ -57,6 +57,12 @@ pub(super) fn strip(
 fn mean(path: &Path, known: impl Fn(usize) -> Option<f32>) -> f64 {
     let sum: f64 = path.vertices.iter().map(|&v| f64::from(known(v as usize).unwrap_or(0.0))).sum();
     sum / path.vertices.len() as f64
+}
+
+/// The mean evidence, a vertex without any adding nothing; `None` where no vertex has any.
+fn evidence(lines: &LineGraph, path: &Path) -> Option<f64> {
+    let sharp = |v: usize| lines.evidence[v].map(|e| e.sharp);
+    path.vertices.iter().any(|&v| sharp(v as usize).is_some()).then(|| mean(path, sharp))
 }
 
 /// The mean fold over the vertices that measured one, degrees.

@@ -7,9 +7,7 @@ use super::points::{PointTable, write_points_to};
 use crate::error::Error;
 use crate::format::PointFormat;
 use crate::output::Output;
-use lineament::ClusterStages;
-use lineament::pattern::LineGraph;
-use lineament::{Attribute, Cloud, Column, Extraction};
+use lineament::{Attribute, Cloud, ClusterStages, Column, Extraction, LineGraph};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 

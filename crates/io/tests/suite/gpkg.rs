@@ -39,7 +39,7 @@ fn strips(counts: impl Iterator<Item = usize>) -> Network {
         curve: BSpline::default(),
         sources: vec![0],
         fold_deg: Some(90.0),
-        evidence: 0.0,
+        evidence: None,
         deviation: 0.0,
         confidence: 1.0,
     };

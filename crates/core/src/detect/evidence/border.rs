@@ -47,7 +47,7 @@ pub fn border(
     let along = cross(normal, opening.middle);
     let outward = outermost(points, i, wide, along, opening.middle, scale);
     Some(Row {
-        scalar: (1.0 - opening.angle / TAU) as f32,
+        scalar: (1.0 - opening.angle / TAU) as f32, // equation 8
         vector: along.map(|x| x as f32),
         corner: if opening.angle > TURNING_OPENING { 0.5 } else { 1.0 },
         foot: add_scaled(points[i], opening.middle, outward),

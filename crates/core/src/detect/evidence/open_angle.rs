@@ -3,7 +3,7 @@
 use crate::math::vec3::{cross, dot, perpendicular, sub};
 use std::f64::consts::TAU;
 
-/// The largest angle around `points[own]`, seen along `normal`, in which no neighbour lies; radians in `[0, 2 pi]`.
+/// The paper's `beta`: the largest angle around `points[own]`, seen along `normal`, in which no neighbour lies; radians in `[0, 2 pi]`.
 ///
 /// `angles` is scratch. Neighbours that fall on the point itself along the normal have no angle and are left out.
 pub fn open_angle(

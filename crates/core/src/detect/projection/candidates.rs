@@ -54,7 +54,7 @@ pub fn measure(points: &[[f64; 3]], graph: &Neighbors, resolution: Resolution, p
     let mut border = Penalties::new(params.penalty.gamma, Direction::Across);
     rows.iter().filter_map(|r| Some((r.0, r.2?))).for_each(|(i, row)| border.push(i, row));
     align_borders(graph, &mut border, resolution);
-    let class = marks.classes();
+    let class = Some(marks.classes());
     Measure { density: densities(points, graph), class, score: marks.score, normal, crease, border }
 }
 

@@ -10,7 +10,7 @@ use crate::resolution::Resolution;
 use std::time::Instant;
 
 /// Small clusters wider than this, spacings, are taken apart.
-const APART: f64 = 2.5;
+const WIDE_CLUSTER: f64 = 2.5;
 
 /// One-rings and the segmentation by their normals, which come with it.
 pub(crate) fn as_printed(
@@ -33,7 +33,7 @@ pub(crate) fn as_printed(
         normals = wide_normals(&positions, &rings, rounds + 1);
         segments = grow(&normals);
     }
-    let segments = segments.take_apart(points, APART * resolution.spacing);
+    let segments = segments.take_apart(points, WIDE_CLUSTER * resolution.spacing);
     let grown = start.elapsed().as_secs_f64();
     let seconds = vec![
         ("neighbors", neighbors),

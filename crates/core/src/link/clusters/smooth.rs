@@ -12,7 +12,7 @@ use crate::pattern::LineGraph;
 const LAMBDA: f64 = 0.5;
 const MU: f64 = -1.0 / (1.0 / LAMBDA - 0.1);
 /// A line that turns by more than this at a vertex has a corner there.
-const TURN_DEG: f64 = 60.0;
+const CORNER_TURN_DEG: f64 = 60.0;
 
 /// Smooths all lines by `steps` of the filter.
 pub fn smooth(lines: &mut LineGraph, steps: usize) {
@@ -37,5 +37,5 @@ fn pair(lines: &LineGraph, v: usize) -> Option<[u32; 2]> {
     let at = lines.positions[v];
     let before = unit(sub(at, lines.positions[a as usize]));
     let after = unit(sub(lines.positions[b as usize], at));
-    (dot(before, after) > TURN_DEG.to_radians().cos()).then_some([a, b])
+    (dot(before, after) > CORNER_TURN_DEG.to_radians().cos()).then_some([a, b])
 }

@@ -8,11 +8,11 @@ use crate::pattern::{LineGraph, Pattern};
 use crate::resolution::Resolution;
 
 /// How far a loose crease end may be from a border, spacings, and how far it may look aside from it, degrees; nearest first.
-const REACH: [(f64, f64); 3] = [(2.0, 100.0), (4.0, 60.0), (6.0, 35.0)];
+const DOCKING: [(f64, f64); 3] = [(2.0, 100.0), (4.0, 60.0), (6.0, 35.0)];
 /// Length of crease that an end's direction is taken from, spacings.
 const TANGENT: f64 = 4.0;
 /// Greatest length of a border's edge near a loose end, spacings.
-const STEP: f64 = 1.0;
+const EDGE_STEP: f64 = 1.0;
 /// Pieces of an edge at the most: only points of two scales make edges of so many spacings.
 const PIECES: f64 = 256.0;
 /// A node of the border that is no farther than this from where a crease would meet it is where it does, spacings.
@@ -34,7 +34,7 @@ pub(crate) fn dock(pattern: &mut Pattern, resolution: Resolution) {
     for end in ends {
         let at = crease.positions[end as usize];
         let tangent = tangent(crease, end, h);
-        let target = REACH.iter().find_map(|&(reach, angle)| {
+        let target = DOCKING.iter().find_map(|&(reach, angle)| {
             index.within(at, reach * h, &mut found);
             let vertices = found.iter().map(|f| on[f.index as usize]);
             ahead(border, vertices, at, tangent, angle)
@@ -57,8 +57,8 @@ fn refine(border: &mut LineGraph, ends: Vec<[f64; 3]>, h: f64) {
         for b in border.edges[a as usize].clone().into_iter().filter(|&b| b > a) {
             let [from, to] = [a, b].map(|v| border.positions[v as usize]);
             let length = distance(from, to);
-            index.within(scale(add(from, to), 0.5), 0.5 * length + REACH[2].0 * h, &mut found);
-            let pieces = (length / (STEP * h)).ceil().min(PIECES) as u32;
+            index.within(scale(add(from, to), 0.5), 0.5 * length + DOCKING[2].0 * h, &mut found);
+            let pieces = (length / (EDGE_STEP * h)).ceil().min(PIECES) as u32;
             if pieces > 1 && !found.is_empty() {
                 border.subdivide(a, b, pieces);
             }

@@ -76,6 +76,7 @@ fn weigh(
     }
     let directional: f64 = [a, b].map(|i| directional(penalties, i, edge, length, resolution)).iter().sum();
     let scalar = f64::from(penalties.scalar[a] + penalties.scalar[b]);
+    // w_c with omega_kappa, omega_cr and omega_co, or w_b with omega_b2 and omega_b1: the penalties, then the length.
     let share = penalties.share * scalar + (1.0 - penalties.share) * directional;
     let weight =
         share + if density[0] + density[1] > 0.0 { 2.0 * length / (density[0] + density[1]) } else { 0.0 };

@@ -21,7 +21,7 @@ pub fn network() -> Network {
         },
         sources: vec![0, 1],
         fold_deg: None,
-        evidence: 0.0,
+        evidence: None,
         deviation: 1e-7,
         confidence: 0.875,
     };
