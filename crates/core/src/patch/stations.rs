@@ -153,7 +153,7 @@ mod tests {
             sources: (0..25).collect(),
             deviation: 0.0,
             fold_deg: None,
-            evidence: 0.0,
+            evidence: None,
             confidence: 1.0,
         };
         for step in [1e-310, 1e-100, 1e-3] {
