@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
 
     // Contours of one shape in neighbouring slices form a run: an extrusion, a taper or a revolution.
-    let stack = stack(&cloud, &sections)?;
+    let stack = stack(&cloud, &sections, &params)?;
     for run in &stack.runs {
         println!("{} from {:.3} to {:.3}: {:?}", run.feature.name(), run.from, run.to, run.feature);
     }

@@ -1,6 +1,6 @@
 //! Symmetric tridiagonal systems, positive definite, open or cyclic.
 
-use super::vec2::along;
+use crate::math::vec2::along;
 
 /// Solves a system for two right sides (Thomas); `upper[k]` stands between the rows `k` and `k + 1`, the last one is not read.
 pub fn open(diagonal: &[f64], upper: &[f64], right: &[[f64; 2]]) -> Vec<[f64; 2]> {
