@@ -2,7 +2,7 @@
 //!
 //! T.-T. Tran, S. Ali and D. Laurendeau, *Automatic Sharp Feature Extraction from Point Clouds with Optimal Neighborhood
 //! Size*, MVA 2013. A point of a smooth place lies in the plane of its neighbourhood; one on an edge stands off its centroid
-//! along the normal. [`scales`] measures that at seven sizes of neighbourhood (sections 2.1 and 2.2), [`choice`] takes the
+//! along the normal. [`scales`] measures that at seven sizes of neighbourhood (sections 2.1 and 2.2), `choice` takes the
 //! one before the edge comes into sight (2.3), and Otsu's threshold on the histogram of the result marks points (2.4).
 //!
 //! Said more closely than in the paper:
@@ -11,9 +11,9 @@
 //! * Figure 5 tells smooth points from potential edges and corners by one cut. Points within a spacing of an edge see it too
 //!   and stand between: Otsu's method for three classes tells all three, and marks the two upper ones, where that is not most
 //!   of the cloud (see [`Marks::new`]). With `projection.classes=2` the one cut is the paper's, and marks lie on the edge.
-//! * Ratios of distances that are rounding or noise count as none, and such distances are no edge: see [`choice`].
+//! * Ratios of distances that are rounding or noise count as none, and such distances are no edge: see `choice`.
 //!
-//! The paper ends with marked points; [`candidates`] prepares them for a linker.
+//! The paper ends with marked points; `candidates` prepares them for a linker.
 
 pub(crate) mod candidates;
 mod choice;
