@@ -32,6 +32,12 @@ pub enum Error {
         /// Distinct finite points.
         distinct: usize,
     },
+    /// A detector's measure does not match the points.
+    #[error("the measure of the detector: {fault}")]
+    Measure {
+        /// The column and its length, or the candidate.
+        fault: String,
+    },
     /// More points than the 32-bit point index can number.
     #[error("{read} points are more than the {limit} that one cloud can hold: split it into tiles")]
     TooManyPoints {

@@ -6,13 +6,15 @@ use crate::error::Error;
 use crate::frame::Frame;
 use crate::measure::{Class, Measure};
 use crate::method::{self, ClusterStages};
+use crate::neighbors::Neighbors;
 use crate::network::Network;
-use crate::params::Params;
+use crate::params::{Method, Params};
 use crate::patch::{NO_PATCH, Patches};
 use crate::pattern::Pattern;
 use crate::prepare::{Prepared, prepare};
 use crate::recover::{recover, to_world};
 use crate::report::{Clock, Progress, Report, Stage};
+use crate::resolution::Resolution;
 
 /// Extracts the feature network of a cloud.
 ///
@@ -32,10 +34,37 @@ pub fn extract_observed(
     params: &Params,
     observe: &(dyn Fn(Progress) + Sync),
 ) -> Result<Extraction, Error> {
+    pipeline(world, params, observe, &|cloud| Ok(method::detect(cloud, params)))
+}
+
+/// [`extract`] with a detector of one's own and the linker of the method `penalty`. `detect` gets the positions (distinct
+/// points in canonical order, local frame), their neighbour graph, spacing and noise.
+///
+/// # Errors
+/// As [`extract`], and [`Error::Measure`] for a measure whose rows do not match the points.
+pub fn extract_with(
+    world: &Cloud,
+    params: &Params,
+    detect: &dyn Fn(&[[f64; 3]], &Neighbors, Resolution) -> Measure,
+) -> Result<Extraction, Error> {
+    let params = Params { method: Method::Penalty, ..params.clone() };
+    pipeline(world, &params, &|_| (), &|cloud| {
+        let measure = detect(&cloud.positions, &cloud.graph, cloud.resolution);
+        measure.check(cloud.positions.len(), method::wants_patches(&params))?;
+        Ok(measure)
+    })
+}
+
+fn pipeline(
+    world: &Cloud,
+    params: &Params,
+    observe: &(dyn Fn(Progress) + Sync),
+    detect: &dyn Fn(&Prepared) -> Result<Measure, Error>,
+) -> Result<Extraction, Error> {
     params.check()?;
     let mut clock = Clock::new(observe);
     let cloud = prepare(world, params, &mut clock)?;
-    let mut measure = clock.run(Stage::Detect, || method::detect(&cloud, params));
+    let mut measure = clock.run(Stage::Detect, || detect(&cloud))?;
     let (mut pattern, clusters) = clock.run(Stage::Link, || method::link(&cloud, &mut measure, params));
     let mut network = clock.run(Stage::Recover, || recover(&pattern, cloud.resolution, &params.spline));
     let patches = method::wants_patches(params).then(|| {

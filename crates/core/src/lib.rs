@@ -3,7 +3,8 @@
 //! No parameter needs a guess; [`Params`] lists what can be set.
 //!
 //! # Lines
-//! [`extract()`] is the whole pipeline, and [`Extraction`] keeps every stage of it.
+//! [`extract()`] is the whole pipeline, and [`Extraction`] keeps every stage of it. [`extract_with`] takes a detector of one's
+//! own.
 //! ```
 //! use lineament::{NodeKind, Params, extract, shapes};
 //!
@@ -101,10 +102,10 @@ pub mod shapes;
 pub use cloud::{Attribute, Cloud, Column};
 pub use detect::segments::{Segmentation, Segmented};
 pub use error::Error;
-pub use extract::{Extraction, extract, extract_observed};
+pub use extract::{Extraction, extract, extract_observed, extract_with};
 pub use frame::{Frame, Localised};
 pub use link::clusters::GraphStage;
-pub use measure::{Class, Direction, Evidence, Measure, Penalties};
+pub use measure::{Class, Direction, Evidence, Measure, Penalties, Row};
 pub use method::ClusterStages;
 pub use neighbors::Neighbors;
 pub use network::{Network, Node, NodeKind, Strip, StripKind};

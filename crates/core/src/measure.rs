@@ -1,5 +1,7 @@
 //! What a detector says of every point.
 
+use crate::error::Error;
+
 /// The output of a detector: one row a point, canonical order, local frame.
 ///
 /// Any detector can feed any linker. A linker for lines reads the two [`Penalties`]; a viewer reads `score` and `class`.
@@ -12,7 +14,7 @@ pub struct Measure {
     pub score: Vec<f32>,
     /// `(N)` what the point is, by a detector that has a classification of its own.
     pub class: Option<Vec<Class>>,
-    /// `(N, 3)` unit normals without orientation.
+    /// `(N, 3)` unit normals without orientation; patches need them.
     pub normal: Vec<[f32; 3]>,
     /// Against being on a crease.
     pub crease: Penalties,
@@ -68,7 +70,50 @@ pub enum Class {
     Corner = 3,
 }
 
+impl Measure {
+    /// Checks that the rows are those of `count` points. Normals may be absent unless `with_normals`.
+    ///
+    /// # Errors
+    /// [`Error::Measure`] with the first column, or candidate, at fault.
+    pub(crate) fn check(&self, count: usize, with_normals: bool) -> Result<(), Error> {
+        let class = self.class.as_ref().map_or(count, Vec::len);
+        let normal = if self.normal.is_empty() && !with_normals { count } else { self.normal.len() };
+        let columns = [
+            ("density", self.density.len()),
+            ("score", self.score.len()),
+            ("normal", normal),
+            ("class", class),
+        ];
+        if let Some((name, rows)) = columns.into_iter().find(|(_, rows)| *rows != count) {
+            return Err(Error::Measure { fault: format!("`{name}` has {rows} rows for {count} points") });
+        }
+        self.crease.check("crease", count)?;
+        self.border.check("border", count)
+    }
+}
+
 impl Penalties {
+    fn check(&self, kind: &str, count: usize) -> Result<(), Error> {
+        let fault = |what: String| Err(Error::Measure { fault: format!("`{kind}`: {what}") });
+        let rows = self.points.len();
+        let columns =
+            [self.scalar.len(), self.vector.len(), self.corner.len(), self.foot.len(), self.evidence.len()];
+        if let Some(length) = columns.into_iter().find(|length| *length != rows) {
+            return fault(format!("a column of {length} rows for {rows} candidates"));
+        }
+        if let Some(pair) = self.points.windows(2).find(|pair| pair[0] >= pair[1]) {
+            return fault(format!("candidate {} follows candidate {}", pair[1], pair[0]));
+        }
+        if let Some(last) = self.points.last().filter(|&&last| last as usize >= count) {
+            return fault(format!("candidate {last} of {count} points"));
+        }
+        let odd = |i: &usize| !self.scalar[*i].is_finite() || !self.foot[*i].iter().all(|x| x.is_finite());
+        match (0..rows).find(odd) {
+            Some(i) => fault(format!("candidate {} has a value that is not finite", self.points[i])),
+            None => Ok(()),
+        }
+    }
+
     /// Without candidates yet.
     pub(crate) fn new(share: f64, direction: Direction) -> Self {
         Self { share, direction, ..Self::default() }

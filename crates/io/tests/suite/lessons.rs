@@ -39,3 +39,8 @@ fn sections_are_cut() {
 fn a_picture_is_drawn() {
     runs("05_render", &["bracket.png"]);
 }
+
+#[test]
+fn a_detector_of_ones_own_feeds_the_linker() {
+    runs("06_custom_pipeline", &["block.obj"]);
+}
