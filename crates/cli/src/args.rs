@@ -91,6 +91,22 @@ pub enum Command {
     Man(Man),
 }
 
+/// An error of the command line, with the commands that take a file where a file stands in place of a command.
+pub fn explained(error: clap::Error) -> clap::Error {
+    use clap::error::{ContextKind, ContextValue, ErrorKind};
+    let Some(ContextValue::String(word)) = error.get(ContextKind::InvalidSubcommand) else { return error };
+    let path = std::path::Path::new(word);
+    if error.kind() != ErrorKind::InvalidSubcommand || path.extension().is_none() && !path.exists() {
+        return error;
+    }
+    let message = format!(
+        "`{word}` is no command: `lineament extract {word}` finds its lines, `lineament section {word} -o OUT` cuts it, \
+         `lineament info {word}` tells what it holds"
+    );
+    <Args as clap::CommandFactory>::command()
+        .error(ErrorKind::InvalidSubcommand, crate::failure::shown(&message))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,7 +1,7 @@
 //! One input or many: messages about each, and a table of all at the end.
 
 use crate::args::Running;
-use crate::failure::{Code, Failure};
+use crate::failure::{Code, Failure, say};
 use crate::source::Origin;
 
 /// The outcome of one input.
@@ -30,7 +30,7 @@ pub fn run(
         match treat(i, origin) {
             Ok(done) => {
                 if !running.quiet && (running.verbose || !several) {
-                    eprintln!("{}", done.lines.join("\n"));
+                    say(&done.lines.join("\n"));
                 }
                 table.push([vec![origin.shown()], done.row].concat());
             }
@@ -43,7 +43,7 @@ pub fn run(
         }
     }
     if several && !running.quiet {
-        eprint!("{}", aligned(&table));
+        say(aligned(&table).trim_end());
     }
     partial(failed, origins.len())
 }

@@ -1,6 +1,7 @@
 //! From the command line and parameter files to checked parameters.
 
 mod file;
+mod near;
 pub mod text;
 
 use lineament::params::Params;
@@ -23,7 +24,7 @@ pub fn params(tuning: &Tuning) -> Result<Params, Failure> {
 /// As [`params`].
 pub fn params_from(params: Params, tuning: &Tuning) -> Result<Params, Failure> {
     settled(params, &tuning.settings, |params| match &tuning.method {
-        Some(method) => params.set("method", method).map_err(|e| Failure::from(e).at("--method")),
+        Some(method) => set(params, "method", method).map_err(|e| e.at("--method")),
         None => Ok(()),
     })
 }
@@ -51,10 +52,27 @@ fn settled(
     }
     options(&mut params)?;
     for (key, value) in &settings.set {
-        params.set(key, value).map_err(|e| Failure::from(e).at("--set"))?;
+        set(&mut params, key, value).map_err(|e| e.at("--set"))?;
     }
     params.check()?;
     Ok(params)
+}
+
+/// Sets one parameter; a wrong key or word is answered by the one that was likely meant.
+fn set(params: &mut Params, key: &str, value: &str) -> Result<(), Failure> {
+    let Err(error) = params.set(key, value) else { return Ok(()) };
+    let entries = params.entries();
+    let meant = match entries.iter().find(|entry| entry.key == key) {
+        None => near::nearest(key, entries.iter().map(|entry| entry.key.as_str())),
+        Some(entry) => near::nearest(value, entry.accepts.split([',', ' ']).filter(|word| !word.is_empty())),
+    };
+    let failure = Failure::from(error);
+    Err(match meant {
+        Some(meant) => {
+            failure.advise(format!("did you mean `{meant}`? `lineament params` lists all parameters"))
+        }
+        None => failure,
+    })
 }
 
 /// Gives the whole program this many threads. Once.

@@ -1,6 +1,7 @@
 //! Failures, and their exit codes.
 
 use std::fmt::Display;
+use std::io::Write;
 
 /// Exit codes. `--help` and the README list them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,6 +29,18 @@ impl Code {
             Code::Output => "output",
         }
     }
+}
+
+/// Writes lines to standard error. Where it is closed, full, or a pipe that nobody reads, they are lost, and the work goes on.
+/// Names come from files: of what is in them nothing can steer a terminal.
+pub fn say(text: &str) {
+    let _ = std::io::stderr().lock().write_all(format!("{}\n", shown(text)).as_bytes());
+}
+
+/// Text in which signs that steer a terminal are spelled out; lines stay.
+pub fn shown(text: &str) -> String {
+    let steers = |c: char| c.is_control() && c != '\n' && c != '\t';
+    text.chars().flat_map(|c| if steers(c) { c.escape_unicode().collect() } else { vec![c] }).collect()
 }
 
 /// The exit code after an interrupt, 128 + SIGINT.
@@ -61,10 +74,8 @@ impl Failure {
 
     /// Tells the user on standard error.
     pub fn tell(&self) {
-        eprintln!("lineament: error: {}", self.message);
-        if let Some(advice) = &self.advice {
-            eprintln!("  {advice}");
-        }
+        let advice = self.advice.iter().map(|advice| format!("\n  {advice}"));
+        say(&format!("lineament: error: {}{}", self.message, advice.collect::<String>()));
     }
 }
 

@@ -18,7 +18,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 fn main() -> ExitCode {
-    let args = args::Args::parse();
+    let args = args::Args::try_parse().unwrap_or_else(|error| args::explained(error).exit());
     match interrupt::install().and_then(|()| run::run(args.command)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {

@@ -26,8 +26,11 @@ pub fn check<F, E: Into<Failure>>(
     Ok(())
 }
 
-/// Writes one output; an interrupt waits until it is whole.
+/// Writes one output; an interrupt waits until it is whole. It does not wait for devices and pipes, whose reader may never
+/// come.
 pub fn write<T, E: Into<Failure>>(path: &Path, write: impl FnOnce() -> Result<T, E>) -> Result<T, Failure> {
-    let _guard = (path.as_os_str() != "-").then(interrupt::writing);
+    let waits =
+        path.as_os_str() == "-" || path.metadata().is_ok_and(|meta| !meta.is_file() && !meta.is_dir());
+    let _guard = (!waits).then(interrupt::writing);
     write().map_err(Into::into)
 }

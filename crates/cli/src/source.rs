@@ -27,15 +27,27 @@ pub struct Input {
     pub sha256: Option<String>,
     /// The coordinate reference system, and how a LAS file stores its coordinates, for outputs that are to be like it.
     pub crs: Option<String>,
+    pub epsg: Option<u32>,
     pub las: Option<LasFrame>,
     /// The name of the format, and the number of bytes; nothing for a generated scan.
     pub format: Option<(String, u64)>,
     /// The missing part of a salvaged file.
     pub missing: Option<String>,
-    /// Parts of the file that were left out, one sentence each.
+    /// What makes it doubtful that the points are those that were meant; a sentence each.
+    pub warnings: Vec<String>,
+    /// What was passed over in the file; a sentence each.
     pub remarks: Vec<String>,
+    /// Other files that were read for it.
+    pub beside: Vec<PathBuf>,
     /// Seconds that reading took.
     pub seconds: f64,
+}
+
+impl Input {
+    /// The coordinate reference system for outputs: `EPSG:` and its code, or its name.
+    pub fn reference(&self) -> Option<String> {
+        self.epsg.map(|code| format!("EPSG:{code}")).or_else(|| self.crs.clone())
+    }
 }
 
 /// The inputs of a command line, in order.
@@ -57,7 +69,12 @@ pub fn origins(source: &Source) -> Result<Vec<Origin>, Failure> {
 
 /// The files among the inputs; no output may name one.
 pub fn files(origins: &[Origin]) -> Vec<PathBuf> {
-    let file = |origin: &Origin| if let Origin::File(path) = origin { Some(path.clone()) } else { None };
+    let file = |origin: &Origin| match origin {
+        Origin::File(path) => Some(path.clone()),
+        // Where the system has this name, it leads to the file that standard input was redirected from.
+        Origin::Stdin => Some(PathBuf::from("/dev/stdin")),
+        Origin::Sample { .. } => None,
+    };
     origins.iter().filter_map(file).collect()
 }
 
@@ -131,6 +148,8 @@ fn with_reading(options: &ReadOptions, reading: &Reading) -> ReadOptions {
     ReadOptions {
         salvage: reading.salvage,
         memory: reading.memory,
+        classes: reading.class.clone(),
+        returns: reading.returns,
         scan: reading.scan,
         voxel: reading.voxel,
         bounds: reading.bounds,
@@ -145,10 +164,13 @@ fn from_file(path: &Path, name: String, options: &ReadOptions) -> Result<Input, 
         name,
         sha256: scan.sha256,
         crs: scan.crs,
+        epsg: scan.epsg,
         las: scan.las,
         format: Some((scan.format.to_string(), scan.bytes)),
         missing: scan.missing.map(|m| format!("the file ends early: {m}")),
+        warnings: scan.warnings,
         remarks: scan.ignored,
+        beside: scan.beside,
         cloud: scan.cloud,
         seconds: 0.0,
     })
@@ -165,10 +187,13 @@ fn from_sample(sample: &str, seed: u64, name: String) -> Result<Input, Failure> 
         name,
         sha256: None,
         crs: None,
+        epsg: None,
         las: None,
         format: None,
         missing: None,
+        warnings: Vec::new(),
         remarks: Vec::new(),
+        beside: Vec::new(),
         seconds: 0.0,
     })
 }

@@ -10,7 +10,7 @@ use crate::source::Input;
 pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> {
     let report = &extraction.report;
     let mut lines = vec![points(input, report), resolution(report), counts(&extraction.network)];
-    lines.extend(input.missing.iter().map(|missing| format!("warning: {missing}")));
+    lines.extend(warnings(input));
     lines.extend(report.notes.iter().map(|note| format!("note: {note}")));
     if verbose {
         lines.extend(input.remarks.iter().map(|remark| format!("input: {remark}")));
@@ -19,7 +19,28 @@ pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> 
     lines
 }
 
-/// The numbers of points read, dropped and merged.
+/// What makes it doubtful that the points are those that were meant.
+pub fn warnings(input: &Input) -> impl Iterator<Item = String> {
+    input.missing.iter().chain(&input.warnings).map(|warning| format!("warning: {warning}"))
+}
+
+/// A warning where outputs for maps have no coordinate reference system that a reader of them knows.
+pub fn unplaced(input: &Input, outputs: &[PathBuf]) -> Option<String> {
+    let map = |path: &&PathBuf| {
+        path.extension().is_some_and(|e| MAPS.iter().any(|map| e.eq_ignore_ascii_case(map)))
+    };
+    let output = outputs.iter().find(map).filter(|_| input.epsg.is_none())?;
+    let why = match &input.crs {
+        Some(crs) => format!("no EPSG code is known for `{crs}`"),
+        None => "the input states none".into(),
+    };
+    Some(format!("warning: {} has no coordinate reference system: {why}", output.display()))
+}
+
+/// Extensions of outputs for maps.
+const MAPS: [&str; 2] = ["geojson", "gpkg"];
+
+/// What was read.
 pub fn points(input: &Input, report: &Report) -> String {
     read(input, [report.read, report.dropped, report.merged])
 }

@@ -45,7 +45,7 @@ pub fn prepare_from<'a, F, E: Into<Failure>>(
     config::threads(&args.running)?;
     let params = config::params_from(params, &args.tuning)?;
     let origins = source::origins(&args.source)?;
-    let inputs = source::files(&origins);
+    let inputs = [source::files(&origins), args.tuning.settings.params.iter().cloned().collect()].concat();
     let plan = outputs::plan(&origins, asked, suffixes)?;
     outputs::check(&plan, &inputs, known)?;
     Ok(Work { args, params, origins, inputs, plan })
@@ -65,6 +65,11 @@ impl Work<'_> {
     /// The number of inputs.
     pub fn count(&self) -> usize {
         self.origins.len()
+    }
+
+    /// All files that are read, with those that an input led to.
+    pub fn inputs_with(&self, input: &Input) -> Vec<PathBuf> {
+        [self.inputs.as_slice(), &input.beside].concat()
     }
 
     /// Reads an input.

@@ -13,8 +13,6 @@ use crate::resolution::Resolution;
 const SURFACE_POINTS: usize = 4;
 /// Share of the extent within which points are on one line.
 const COLLINEAR: f64 = 1e-9;
-/// Spacings below this have squares that vanish in f64.
-const SQUARABLE_SPACING: f64 = 1e-140;
 
 /// A cloud ready for a detector: distinct points in canonical order, local frame.
 pub(crate) struct Prepared {
@@ -44,7 +42,6 @@ pub(crate) fn prepare(world: &Cloud, params: &Params, clock: &mut Clock) -> Resu
     let merged = local.merged();
     let Localised { frame, positions, source, dropped, .. } = local;
     refuse_degenerate(world.len(), &positions)?;
-    refuse_tiny(&frame, &positions)?;
     let (resolution, graph) = clock.run(Stage::Neighbors, || {
         let nearest = all_nearest(&positions, params.neighbors.k);
         let graph = riemannian::graph(&positions, &nearest);
@@ -76,23 +73,33 @@ fn refuse_degenerate(read: usize, positions: &[[f64; 3]]) -> Result<(), Error> {
     if positions.len() < SURFACE_POINTS {
         return Err(Error::TooFewPoints { read, distinct: positions.len(), needed: SURFACE_POINTS });
     }
-    let origin = positions[0];
+    // A point far out makes a line of all others: then the nearer half of the points decides.
+    let off_line =
+        beside_line(positions, COLLINEAR) || beside_line(&nearer_half(positions), 10.0 * COLLINEAR);
+    if off_line { Ok(()) } else { Err(Error::Collinear { distinct: positions.len() }) }
+}
+
+/// Whether points lie beside the line from the first to the one farthest from it, by more than `share` of its length.
+fn beside_line(positions: &[[f64; 3]], share: f64) -> bool {
+    let Some(&origin) = positions.first() else { return false };
     let farthest = positions
         .iter()
         .map(|&p| sub(p, origin))
         .fold([0.0; 3], |best, d| if norm(d) > norm(best) { d } else { best });
     let length = norm(farthest);
-    let off_line =
-        positions.iter().any(|&p| norm(cross(farthest, sub(p, origin))) > COLLINEAR * length * length);
-    if off_line { Ok(()) } else { Err(Error::Collinear { distinct: positions.len() }) }
+    positions.iter().any(|&p| norm(cross(farthest, sub(p, origin))) > share * length * length)
 }
 
-fn refuse_tiny(frame: &Frame, positions: &[[f64; 3]]) -> Result<(), Error> {
-    if frame.scale >= SQUARABLE_SPACING {
-        return Ok(());
-    }
-    let side = |axis: usize| frame.length_to_world(positions.iter().map(|p| p[axis]).fold(0.0, f64::max));
-    let axis = (1..3).fold(0, |best, axis| if side(axis) > side(best) { axis } else { best });
-    let min = frame.offset[axis];
-    Err(Error::Extent { axis, min, max: min + side(axis) })
+/// The half of the points that lies nearer to the median of each axis.
+fn nearer_half(positions: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    let half = positions.len().div_ceil(2);
+    let median = |axis: usize| {
+        let mut along: Vec<f64> = positions.iter().map(|p| p[axis]).collect();
+        *along.select_nth_unstable_by(half - 1, f64::total_cmp).1
+    };
+    let middle = [median(0), median(1), median(2)];
+    let mut near = positions.to_vec();
+    near.sort_by(|&a, &b| norm(sub(a, middle)).total_cmp(&norm(sub(b, middle))));
+    near.truncate(half);
+    near
 }

@@ -13,6 +13,7 @@
 #![forbid(unsafe_code)]
 
 mod columns;
+mod crs;
 mod error;
 mod format;
 mod number;
@@ -28,7 +29,7 @@ pub use format::{
     format_help, network_format, patch_format, point_format, section_format,
 };
 pub use output::{Output, check_output};
-pub use read::{LasFrame, LasRecord, Missing, ReadOptions, Scan, read, read_all, read_from};
+pub use read::{LasFrame, LasRecord, Missing, ReadOptions, Returns, Scan, read, read_all, read_from};
 pub use write::{
     NetworkContext, Parameter, PointTable, SectionContext, write_network, write_network_to, write_patches,
     write_points, write_points_to, write_sections, write_sections_to, write_slice_picture, write_stages,

@@ -1,10 +1,11 @@
 //! Outputs that appear whole or not at all.
 
+mod temporary;
+
 use crate::error::Error;
 use std::fs::{File, Metadata};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
 
 /// A file in the making: written beside its target under another name, then synced and renamed by
 /// [`Output::finish`]. Dropped unfinished it leaves nothing behind, and whatever stood at the target stands.
@@ -85,14 +86,15 @@ impl Output {
         }
         let name = path.display().to_string();
         // A link is followed, so that the file it leads to is replaced and the link stays.
-        let target = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
-        let device = std::fs::metadata(&target).is_ok_and(|meta| !meta.is_file());
-        let temporary = (!device).then(|| beside(&target));
-        let opened = match &temporary {
-            Some(temporary) => File::options().write(true).create_new(true).open(temporary),
-            None => File::options().write(true).open(&target),
+        let target = followed(path);
+        let there = std::fs::metadata(&target);
+        let opened = if there.as_ref().is_ok_and(|meta| !meta.is_file()) {
+            File::options().write(true).open(&target).map(|file| (None, file))
+        } else {
+            temporary::create(&target, there.ok().as_ref()).map(|(path, file)| (Some(path), file))
         };
-        let file = opened.map_err(|source| Error::Io { action: "write", name: name.clone(), source })?;
+        let (temporary, file) =
+            opened.map_err(|source| Error::Io { action: "write", name: name.clone(), source })?;
         Ok(Output { name, target, temporary, writer: Writer::File(BufWriter::with_capacity(BUFFER, file)) })
     }
 
@@ -138,14 +140,19 @@ impl Output {
     }
 }
 
-/// A fresh name in the folder of `target`.
-fn beside(target: &Path) -> PathBuf {
-    static COUNTER: AtomicU64 = AtomicU64::new(0);
-    let number = COUNTER.fetch_add(1, Ordering::Relaxed);
-    let mut name = std::ffi::OsString::from(".");
-    name.push(target.file_name().unwrap_or_default());
-    name.push(format!(".{}-{number}.part", std::process::id()));
-    target.with_file_name(name)
+/// Links that are followed one after the other.
+const LINKS: usize = 40;
+
+/// Where a path leads, over links whose end need not be there.
+fn followed(path: &Path) -> PathBuf {
+    let mut at = path.to_path_buf();
+    for _ in 0..LINKS {
+        match std::fs::read_link(&at) {
+            Ok(next) => at = folder(&at).join(next),
+            Err(_) => break,
+        }
+    }
+    at.canonicalize().unwrap_or(at)
 }
 
 impl Write for Output {

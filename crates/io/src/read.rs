@@ -14,8 +14,10 @@ mod parquet;
 mod pcd;
 mod ply;
 mod ptx;
+mod raster;
 mod rows;
 mod select;
+mod steps;
 mod stl;
 mod table;
 pub(crate) mod zip;
@@ -26,7 +28,7 @@ use crate::source::Source;
 use lineament::Cloud;
 use std::fmt;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// How an input is read.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,6 +42,10 @@ pub struct ReadOptions {
     /// Bytes that the points of a compressed input may take in memory. `None` is 64 MiB and eight times the input:
     /// enough for the files of common programs, too little for a small file that unpacks without end.
     pub memory: Option<u64>,
+    /// Keep only points of these classes (LAS 1.4 R15, table 9); none keeps all.
+    pub classes: Vec<u8>,
+    /// Keep only these returns of each pulse.
+    pub returns: Option<Returns>,
     /// Read only this scan of an input that holds several, counted from 1.
     pub scan: Option<usize>,
     /// Keep only every n-th point.
@@ -52,6 +58,17 @@ pub struct ReadOptions {
     pub format: Option<Format>,
 }
 
+/// Returns of a pulse, by their number and the number of all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Returns {
+    /// The first of each pulse.
+    First,
+    /// The last of each pulse.
+    Last,
+    /// Those that are alone in their pulse.
+    Only,
+}
+
 impl Default for ReadOptions {
     fn default() -> Self {
         Self {
@@ -59,6 +76,8 @@ impl Default for ReadOptions {
             attributes: true,
             hash: false,
             memory: None,
+            classes: Vec::new(),
+            returns: None,
             scan: None,
             every: None,
             voxel: None,
@@ -79,10 +98,16 @@ pub struct Scan {
     pub name: String,
     /// Parts of the input that are not in the cloud, one sentence each.
     pub ignored: Vec<String>,
-    /// The missing part of an input that ended early; only with `ReadOptions::salvage`.
+    /// What makes it doubtful that the cloud is the one that was meant, one sentence each.
+    pub warnings: Vec<String>,
+    /// Other files that the input led to, and that were read.
+    pub beside: Vec<PathBuf>,
+    /// What is missing of an input that ended early; only with `ReadOptions::salvage`.
     pub missing: Option<Missing>,
     /// The coordinate reference system by its name or as `EPSG:` and a code, where the input states one.
     pub crs: Option<String>,
+    /// Its code in the EPSG register, where the input states it or names a system that has one.
+    pub epsg: Option<u32>,
     /// How a LAS or LAZ input stores its coordinates, for outputs that are to be like it.
     pub las: Option<LasFrame>,
     /// SHA-256 of all bytes of the input in hexadecimal, if `ReadOptions::hash` asked for it.
@@ -114,8 +139,11 @@ impl fmt::Display for Missing {
 pub(crate) struct Decoded {
     pub cloud: Cloud,
     pub ignored: Vec<String>,
+    pub warnings: Vec<String>,
+    pub beside: Vec<PathBuf>,
     pub missing: Option<Missing>,
     pub crs: Option<String>,
+    pub epsg: Option<u32>,
     pub las: Option<LasFrame>,
 }
 
@@ -177,6 +205,14 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         Some(format) if !start.is_empty() => format,
         _ => detect::detect(start, length, &name)?,
     };
+    if options.scan.is_some() && !matches!(format, Format::E57 | Format::Ptx) {
+        let what = format!("{format} holds no scans to choose from");
+        return Err(Error::Unsupported { name, what, advice: "read it without --scan".into() });
+    }
+    let filters = !options.classes.is_empty() || options.returns.is_some();
+    // Readers of columns; what filters need is dropped below.
+    let all = ReadOptions { attributes: true, ..options.clone() };
+    let (asked, options) = (options, if filters { &all } else { options });
     let decoded = match format {
         Format::Ply => ply::read(&mut source, options)?,
         Format::Table => table::read(&mut source, options)?,
@@ -185,6 +221,7 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         Format::Las => las::read(&mut source, options)?,
         Format::E57 => e57::read(&mut source, options)?,
         Format::Ptx => ptx::read(&mut source, options)?,
+        Format::Raster => raster::read(&mut source, options)?,
         Format::Stl => stl::read(&mut source, options)?,
         Format::Off => off::read(&mut source, options)?,
         Format::Npy => npy::read(&mut source, options)?,
@@ -194,9 +231,14 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         Format::Gltf => gltf::read(&mut source, options)?,
     };
     source.drain()?;
-    let Decoded { mut cloud, ignored, missing, crs, las } = decoded;
-    let mut ignored: Vec<String> = ignored.iter().map(|what| printable(what)).collect();
-    select::select(&mut cloud, options, &mut ignored);
+    let Decoded { mut cloud, ignored, warnings, beside, missing, crs, epsg, las } = decoded;
+    let shown = |all: Vec<String>| -> Vec<String> { all.iter().map(|what| printable(what)).collect() };
+    let (mut ignored, mut warnings) = (shown(ignored), shown(warnings));
+    select::select(&name, &mut cloud, options, &mut ignored, &mut warnings)?;
+    if !asked.attributes {
+        cloud.attributes.clear();
+    }
+    warnings.extend(steps::warnings(&cloud));
     let (sha256, bytes) = (source.sha256(), source.offset());
-    Ok(Scan { cloud, format, name, ignored, missing, crs, las, sha256, bytes })
+    Ok(Scan { cloud, format, name, ignored, warnings, beside, missing, crs, epsg, las, sha256, bytes })
 }

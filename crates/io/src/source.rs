@@ -1,8 +1,10 @@
 //! An input as one forward stream of bytes: buffered, counted, hashed on the way, with its length if known.
 
 mod window;
+mod words;
 
 pub(crate) use window::{Shared, Window};
+pub(crate) use words::Word;
 
 use crate::error::{Error, Place, printable};
 use sha2::{Digest, Sha256};
@@ -24,6 +26,8 @@ impl<T: Read + Seek + Send + Sync> ReadSeek for T {}
 pub(crate) struct Source {
     name: String,
     reader: Box<dyn Read + Send>,
+    /// Bytes asked of the system at once.
+    block: usize,
     buffer: Vec<u8>,
     start: usize,
     end: usize,
@@ -32,6 +36,8 @@ pub(crate) struct Source {
     ended: bool,
     length: Option<u64>,
     terminator: u8,
+    /// Whether the line given last had no end, as that of a file that was cut has none.
+    open: bool,
     hash: Option<Sha256>,
     path: Option<PathBuf>,
     /// Bytes of a pipe consumed since [`Source::keep`] asked for them.
@@ -46,7 +52,8 @@ impl Source {
         Self {
             name,
             reader,
-            buffer: vec![0; BLOCK],
+            block: BLOCK,
+            buffer: Vec::new(),
             start: 0,
             end: 0,
             offset: 0,
@@ -54,6 +61,7 @@ impl Source {
             ended: false,
             length,
             terminator: b'\n',
+            open: false,
             hash,
             path: None,
             kept: Vec::new(),
@@ -61,7 +69,12 @@ impl Source {
         }
     }
 
-    /// Keeps the bytes consumed from now on if the input cannot be opened again, for [`Source::seekable`].
+    /// Asks for so many bytes at once, where not all are to be read.
+    pub fn in_steps(self, block: usize) -> Self {
+        Self { block, ..self }
+    }
+
+    /// Keeps what is consumed from now on if the input cannot be opened again, for [`Source::seekable`].
     pub fn keep(&mut self) {
         self.keeping = self.path.is_none();
     }
@@ -194,11 +207,19 @@ impl Source {
         self.consume(length);
         self.line += 1;
         let line = &self.buffer[from..from + length];
+        self.open = line.last() != Some(&self.terminator);
         let line = line.strip_suffix(&[self.terminator]).unwrap_or(line);
         Ok(Some(line.strip_suffix(b"\r").unwrap_or(line)))
     }
 
-    /// The SHA-256 of the bytes consumed and buffered, in hexadecimal; `None` if it was not asked for.
+    /// What is to be said of a last line without an end, where the input announces its rows and has as many: a cut within the
+    /// last number cannot be told from it.
+    pub fn open_end(&self) -> Option<String> {
+        let text = "the last line has no end: if the file was cut there, its last number is not whole";
+        self.open.then(|| text.into())
+    }
+
+    /// The SHA-256 of what was consumed and buffered, in hexadecimal; `None` if it was not asked for.
     pub fn sha256(&mut self) -> Option<String> {
         let digest = self.hash.take()?.finalize();
         Some(digest.iter().map(|byte| format!("{byte:02x}")).collect())
@@ -237,7 +258,7 @@ impl Source {
         self.start = 0;
         if self.buffer.len() < wanted.max(self.end + 1) {
             let more = self.buffer.len() / 2;
-            self.buffer.resize(wanted.max(self.end + more), 0);
+            self.buffer.resize(wanted.max(self.end + more).max(self.block), 0);
         }
         let got = loop {
             match self.reader.read(&mut self.buffer[self.end..]) {
@@ -251,6 +272,11 @@ impl Source {
         }
         self.end += got;
         self.ended = got == 0;
-        Ok(())
+        let seen = self.offset + (self.end - self.start) as u64;
+        match self.length.filter(|&length| self.ended && self.path.is_some() && seen < length) {
+            // The file was longer when it was opened: it became shorter meanwhile.
+            Some(length) => Err(self.ends_early("bytes", length, seen)),
+            None => Ok(()),
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use lineament::detect::baselines::Detector;
 use lineament::params::ParamValue;
-use lineament_io::Format;
+use lineament_io::{Format, Returns};
 
 /// `KEY=VALUE`.
 pub fn setting(text: &str) -> Result<(String, String), String> {
@@ -48,6 +48,16 @@ pub fn format(text: &str) -> Result<Format, String> {
         let names: Vec<String> = Format::all().iter().map(Format::to_string).collect();
         format!("the formats that can be read are {}", names.join(", "))
     })
+}
+
+/// The returns of a pulse.
+pub fn returns(text: &str) -> Result<Returns, String> {
+    match text {
+        "first" => Ok(Returns::First),
+        "last" => Ok(Returns::Last),
+        "only" => Ok(Returns::Only),
+        _ => Err("first, last or only was expected".into()),
+    }
 }
 
 /// A number of bytes, with K, M, G or T for powers of 1024.

@@ -55,7 +55,7 @@ fn set_value(text: &str, key: &str, value: &Spanned<DeValue>, params: &mut Param
             return Err(Failure::new(Code::Refused, message));
         }
     };
-    Ok(params.set(key, &plain)?)
+    super::set(params, key, &plain)
 }
 
 #[cfg(test)]

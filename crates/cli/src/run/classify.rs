@@ -59,7 +59,7 @@ fn one(work: &Work, args: &Classify, origin: &Origin, outputs: &[PathBuf]) -> Re
     let table =
         PointTable { cloud: &input.cloud, classes: &classes, scores: &found.scores, las: input.las.as_ref() };
     for path in outputs {
-        outputs::write(path, || write_points(path, &work.inputs, &table))?;
+        outputs::write(path, || write_points(path, &work.inputs_with(&input), &table))?;
     }
     let mut lines = found.lines;
     lines.push(counts(&classes));

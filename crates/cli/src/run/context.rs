@@ -20,7 +20,7 @@ pub fn context(input: &Input, params: &Params, found: &Extraction) -> NetworkCon
         parameters: parameters.collect(),
         spacing: found.report.spacing,
         noise: Some(found.report.noise),
-        crs: input.crs.clone(),
+        crs: input.reference(),
         crs_wkt: input.las.as_ref().and_then(LasFrame::wkt),
         patches: found.patches.clone(),
         ..NetworkContext::default()

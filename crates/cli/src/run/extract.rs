@@ -52,11 +52,12 @@ fn one(
         NetworkContext { view, millimetres: args.millimetres, ..context(&input, &work.params, &found) };
     let writing = Instant::now();
     for path in outputs {
-        outputs::write(path, || write_network(path, &work.inputs, &found.network, &context))?;
+        outputs::write(path, || write_network(path, &work.inputs_with(&input), &found.network, &context))?;
     }
     let staged = stages::write(work, args.stages.as_deref(), origin, &input.cloud, &found)?;
     let [wrote, total] = [writing, start].map(|t| t.elapsed().as_secs_f64());
     let mut lines = summary::of(&input, &found, work.args.running.verbose);
+    lines.extend(summary::unplaced(&input, outputs));
     lines.push(summary::times(&input, &found.report, wrote, total));
     lines.push(summary::written(&[outputs, &staged].concat()));
     Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), total) })

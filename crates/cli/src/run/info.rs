@@ -8,7 +8,7 @@ use lineament_io::ReadOptions;
 
 use crate::args::Info;
 use crate::batch;
-use crate::failure::Failure;
+use crate::failure::{Failure, shown};
 use crate::source::{self, Input, Origin, print};
 use crate::summary::{figure, grouped};
 
@@ -47,7 +47,8 @@ fn described(origin: &Origin, args: &Info) -> Result<String, Failure> {
 }
 
 fn line(text: &mut String, label: &str, value: impl std::fmt::Display) {
-    let _ = writeln!(text, "{label:<12}{value}");
+    // Names come from the file.
+    let _ = writeln!(text, "{label:<12}{}", shown(&value.to_string()).replace('\n', "\\n"));
 }
 
 fn file_lines(text: &mut String, input: &Input) {
@@ -56,14 +57,21 @@ fn file_lines(text: &mut String, input: &Input) {
         line(text, "format", format);
         line(text, "bytes", grouped(*bytes as usize));
     }
-    if let Some(crs) = &input.crs {
-        line(text, "reference", crs);
+    if let Some(las) = &input.las {
+        line(text, "version", format!("1.{}, point format {}", las.minor, las.point_format));
+    }
+    match (&input.crs, input.epsg) {
+        (Some(crs), Some(code)) if *crs != format!("EPSG:{code}") => {
+            line(text, "reference", format!("{crs} (EPSG:{code})"));
+        }
+        (Some(crs), _) => line(text, "reference", crs),
+        (None, _) => {}
     }
     line(text, "points", grouped(input.cloud.len()));
     for attribute in &input.cloud.attributes {
         line(text, "attribute", format!("{} ({})", attribute.name, type_name(&attribute.values)));
     }
-    input.missing.iter().for_each(|missing| line(text, "warning", missing));
+    input.missing.iter().chain(&input.warnings).for_each(|warning| line(text, "warning", warning));
     input.remarks.iter().for_each(|remark| line(text, "note", remark));
 }
 

@@ -48,12 +48,15 @@ fn one(work: &Work, args: &args::Patches, origin: &Origin, outputs: &[PathBuf]) 
     let table = PointTable { cloud: &input.cloud, classes: &classes, scores: &[], las: input.las.as_ref() };
     let writing = Instant::now();
     for path in outputs {
-        outputs::write(path, || write_patches(path, &work.inputs, &found.network, &context, &table))?;
+        outputs::write(path, || {
+            write_patches(path, &work.inputs_with(&input), &found.network, &context, &table)
+        })?;
     }
     let staged = stages::write(work, args.stages.as_deref(), origin, &input.cloud, &found)?;
     let [wrote, total] = [writing, start].map(|t| t.elapsed().as_secs_f64());
     let mut lines = summary::of(&input, &found, work.args.running.verbose);
     lines.extend(found.patches.as_ref().map(|p| counts(p, &found)));
+    lines.extend(summary::unplaced(&input, outputs));
     lines.push(summary::times(&input, &found.report, wrote, total));
     lines.push(summary::written(&[outputs, &staged].concat()));
     Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), total) })

@@ -37,7 +37,7 @@ fn one(
 ) -> Result<Done, Failure> {
     let start = Instant::now();
     let input = work.load(origin, &io::ReadOptions { attributes: false, ..Default::default() })?;
-    let mut inputs = work.inputs.clone();
+    let mut inputs = work.inputs_with(&input);
     let mut said = Vec::new();
     let network = match network.to_str() {
         Some("none") => None,
@@ -48,7 +48,10 @@ fn one(
         }
     };
     let (surfels, spacing) = surfels(&input.cloud).map_err(|e| Failure::from(e).at(origin.shown()))?;
-    let picture = render(&Scene { surfels: &surfels, network: network.as_ref(), spacing }, settings)?;
+    let scene = Scene { surfels: &surfels, network: network.as_ref(), spacing };
+    // All else of the settings was checked before.
+    let picture =
+        render(&scene, settings).map_err(|e| Failure { advice: None, ..e.into() }.at(origin.shown()))?;
     outputs.iter().try_for_each(|path| write(path, &inputs, &picture))?;
     said.push(summary::written(outputs));
     let seconds = start.elapsed().as_secs_f64();

@@ -24,7 +24,7 @@ pub fn run(args: &Section) -> Result<(), Failure> {
     config::threads(&args.running)?;
     let params = config::section(&args.slicing)?;
     let origins = source::origins(&args.source)?;
-    let inputs = source::files(&origins);
+    let inputs = [source::files(&origins), args.slicing.settings.params.iter().cloned().collect()].concat();
     let plan = outputs::plan(&origins, &args.output, &SUFFIXES)?;
     outputs::check(&plan, &inputs, section_format)?;
     batch::run(&HEADER, &origins, &args.running, |i, origin| one(args, origin, &inputs, &plan[i], &params))
@@ -45,12 +45,15 @@ fn one(
         input_name: input.name.clone(),
         input_sha256: input.sha256.clone(),
         input_points: input.cloud.len() as u64,
+        crs: input.reference(),
         stack,
     };
     for path in outputs {
-        outputs::write(path, || write_sections(path, inputs, &sections, &context))?;
+        let inputs = [inputs, &input.beside].concat();
+        outputs::write(path, || write_sections(path, &inputs, &sections, &context))?;
     }
     let mut lines = said(&args.running, &input, &sections, &context.stack);
+    lines.extend(summary::unplaced(&input, outputs));
     lines.push(format!("{:.2} s", start.elapsed().as_secs_f64()));
     lines.push(summary::written(outputs));
     Ok(Done { lines, row: row(&input, &sections, start) })

@@ -21,7 +21,7 @@ pub fn run(args: &Slices) -> Result<(), Failure> {
     config::threads(&args.running)?;
     let params = SectionParams { fit: false, ..config::section(&args.slicing)? };
     let origins = source::origins(&args.source)?;
-    let inputs = source::files(&origins);
+    let inputs = [source::files(&origins), args.slicing.settings.params.iter().cloned().collect()].concat();
     batch::run(&HEADER, &origins, &args.running, |_, origin| {
         let folder = if origins.len() > 1 { args.output.join(origin.stem()) } else { args.output.clone() };
         pictures(args, origin, &inputs, &folder, &params)

@@ -41,7 +41,7 @@ pub fn said(running: &Running, input: &Input, sections: &Sections, stack: &Stack
     let points = summary::read(input, [input.cloud.len(), sections.dropped, sections.merged]);
     let spacing = summary::figure(sections.spacing);
     let mut lines = vec![points, format!("spacing {spacing}, noise {:.2} spacings", sections.noise)];
-    lines.extend(input.missing.iter().map(|missing| format!("warning: {missing}")));
+    lines.extend(summary::warnings(input));
     let slices = summary::plural(sections.sections.len(), "slice");
     let contours = summary::plural(sections.contours().count(), "contour");
     lines.push(format!("{slices}, {contours}, {} closed", summary::grouped(closed(sections))));

@@ -6,6 +6,7 @@ mod common;
 mod degenerate;
 mod detectors;
 mod exit_codes;
+mod faults;
 mod map_coordinates;
 mod reading;
 mod same_bytes;

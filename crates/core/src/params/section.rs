@@ -59,7 +59,7 @@ pub enum Side {
 }
 
 /// Most planes in one run: a guard against a step mistaken for another unit.
-pub(crate) const MOST_PLANES: usize = 1_000_000;
+pub(crate) const MOST_PLANES: usize = 100_000;
 
 impl Planes {
     /// Adaptive ones with this many parts at first, and eight times as many at most.
@@ -144,7 +144,7 @@ impl ParamValue for Planes {
     fn fault(&self) -> Option<&'static str> {
         let count = |n: usize| match n {
             0 => Some("at least 1 slice"),
-            n if n > MOST_PLANES => Some("at most 1000000 slices"),
+            n if n > MOST_PLANES => Some("at most 100000 slices"),
             _ => None,
         };
         match self {

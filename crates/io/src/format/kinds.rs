@@ -54,6 +54,8 @@ pub enum Format {
     Expe,
     /// glTF 2.0, binary (GLB) or JSON.
     Gltf,
+    /// Heights in the cells of a grid, as ESRI writes them in ASCII.
+    Raster,
 }
 
 /// A format that networks are written in.

@@ -97,6 +97,7 @@ pub const FORMATS: &[FileFormat] = &[
     FileFormat { read: Some(Format::Las), ..of_points("LAS", &["las"], PointFormat::Las) },
     FileFormat { read: Some(Format::Las), ..of_points("LAZ", &["laz"], PointFormat::Laz) },
     FileFormat { read: Some(Format::E57), ..named("E57", &["e57"]) },
+    FileFormat { read: Some(Format::Raster), ..named("ESRI grid", &["agr"]) },
     FileFormat { read: Some(Format::Pcd), ..of_points("PCD", &["pcd"], PointFormat::Pcd) },
     FileFormat { read: Some(Format::Ptx), ..named("PTX", &["ptx"]) },
     FileFormat { read: Some(Format::Stl), ..named("STL", &["stl"]) },

@@ -1,6 +1,6 @@
 //! Recognising the format of an input: by its content first, by its name second.
 
-use super::{expe, gltf, npy, off, parquet, ptx, stl};
+use super::{expe, gltf, npy, off, parquet, ptx, raster, stl};
 use crate::error::Error;
 use crate::format::Format;
 use crate::number::{shown, tokens};
@@ -17,6 +17,9 @@ const MAGIC: [(Format, &[u8]); 8] = [
     (Format::Pcd, b"# .PCD"),
     (Format::Gltf, gltf::MAGIC),
 ];
+
+/// First bytes of TIFF and its form for large files, in both byte orders.
+const TIFF: [&[u8]; 4] = [b"II*\0", b"MM\0*", b"II+\0", b"MM\0+"];
 
 const OBJ_KEYWORDS: [&[u8]; 14] =
     [b"v", b"vn", b"vt", b"vp", b"f", b"l", b"p", b"o", b"g", b"s", b"mtllib", b"usemtl", b"cstype", b"deg"];
@@ -37,6 +40,8 @@ fn unknown(start: &[u8], named: Option<Format>, name: &str) -> Error {
     let known = format!("known formats are {}", names.join(", "));
     let advice = if start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff") {
         "it looks like UTF-16 text: save it as UTF-8".into()
+    } else if TIFF.iter().any(|magic| start.starts_with(magic)) {
+        "it is a TIFF image: save a raster of heights as an ESRI grid (`gdal_translate -of AAIGrid`)".into()
     } else {
         match named {
             Some(format) => format!("the name suggests {format}, the content does not; {known}"),
@@ -81,6 +86,7 @@ fn by_text(start: &[u8], named: Option<Format>) -> Option<Format> {
     match statement {
         Some(word) if OBJ_KEYWORDS.contains(&word) => Some(Format::Obj),
         Some(word) if off::is_keyword(word) => Some(Format::Off),
+        Some(word) if raster::begins(word) => Some(Format::Raster),
         None if named == Some(Format::Obj) => Some(Format::Obj),
         Some(_) if named == Some(Format::Off) => Some(Format::Off),
         Some(_) if named.is_some_and(|format| format != Format::Table && format != Format::Obj) => None,

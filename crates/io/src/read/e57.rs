@@ -1,17 +1,28 @@
 //! E57 (ASTM E2807): all scans, each moved by its pose into the frame of the file; spherical coordinates become
 //! Cartesian; points whose state is invalid, or of which only a direction is known, are left out and counted.
-//! Pages, their checksums and the packets are decoded by the crate `e57`.
+//! The crate `e57` reads the description in XML; pages and packets are read here.
+
+mod packets;
+mod pages;
+mod point;
+mod xml;
 
 use super::{Decoded, ReadOptions, limit};
 use crate::columns::narrowed;
+use crate::crs::Crs;
 use crate::error::{Error, Place};
 use crate::quiet;
-use crate::source::{Input, Source};
-use e57::{CartesianCoordinate, E57Reader, Point, PointCloud};
+use crate::source::{Shared, Source};
+use e57::{E57Reader, PointCloud};
 use lineament::{Attribute, Column};
+use packets::Packets;
+use pages::Pages;
+use point::{Fields, Point};
 
-/// Rows after which the memory taken is compared with its bound.
-const STEP: u64 = 1 << 16;
+/// Rows that are decoded at a time; then the memory taken is compared with its bound.
+const ROWS: u64 = 1 << 12;
+/// Bytes of the header of the file.
+const HEADER: usize = 48;
 
 /// Columns beside the positions. Missing values are NaN until all points are there.
 #[derive(Default)]
@@ -25,9 +36,11 @@ struct Columns {
 
 /// Reads an E57 input.
 pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
-    let input = source.seekable()?;
-    let opened = quiet::catch(|| E57Reader::new(input));
-    let mut reader = match opened {
+    let shared = source.seekable()?;
+    let shared = Shared::new(shared).map_err(|e| source.io(e))?;
+    let mut pages = pages(source, options, &shared)?;
+    let opened = quiet::catch(|| E57Reader::new(shared.window(0, u64::MAX)));
+    let reader = match opened {
         Some(Ok(reader)) => reader,
         Some(Err(error)) => return Err(fault(source, 0, describe(&error))),
         None => return Err(fault(source, 0, "a header that cannot be decoded".into())),
@@ -36,7 +49,9 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     if scans.is_empty() {
         return Err(fault(source, 0, "a file without scans".into()));
     }
-    let mut out = Decoded { crs: reader.coordinate_metadata().map(String::from), ..Decoded::default() };
+    let crs = Crs::parse(reader.coordinate_metadata().unwrap_or_default());
+    let epsg = crs.code.and_then(|code| code.try_into().ok());
+    let mut out = Decoded { crs: crs.name.clone().or_else(|| crs.short()), epsg, ..Decoded::default() };
     let mut columns = Columns {
         has_color: options.attributes && scans.iter().any(PointCloud::has_color),
         has_intensity: options.attributes && scans.iter().any(PointCloud::has_intensity),
@@ -44,11 +59,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     };
     let mut left_out = 0;
     for (index, scan) in chosen(source, &scans, options)? {
-        let read =
-            quiet::catch(|| read_scan(source, &mut reader, (index, scan), options, &mut out, &mut columns));
-        left_out += read.unwrap_or_else(|| {
-            Err(fault(source, scan.file_offset, "a scan that cannot be decoded".into()))
-        })?;
+        left_out += read_scan(source, &mut pages, (index, scan), options, &mut out, &mut columns)?;
         if out.missing.is_some() {
             break;
         }
@@ -61,6 +72,29 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     }
     out.cloud.attributes = columns.finish(options.attributes && scans.len() > 1);
     Ok(out)
+}
+
+/// The pages, once the XML in them has been found to be no more than memory holds.
+fn pages(source: &Source, options: &ReadOptions, shared: &Shared) -> Result<Pages, Error> {
+    let header = shared.at(0, HEADER.min(shared.length() as usize)).map_err(|e| source.io(e))?;
+    let number = |at: usize| header.get(at..at + 8)?.first_chunk().map(|bytes| u64::from_le_bytes(*bytes));
+    let (Some(at), Some(length), Some(size)) = (number(24), number(32), number(40)) else {
+        return Err(fault(source, 0, format!("a header of {} bytes", header.len())));
+    };
+    let Some(mut pages) = Pages::new(shared, size) else {
+        let found = format!("{} bytes, no whole number of pages of {size}", shared.length());
+        return Err(fault(source, 40, found));
+    };
+    if length > shared.length() {
+        return Err(fault(source, 32, format!("XML of {length} bytes")));
+    }
+    let text = pages.seek(at).and_then(|()| pages.take(length as usize));
+    let text = text.map_err(|error| fault(source, at, format!("XML of {length} bytes: {error}")))?;
+    let needed = xml::needed(text).map_err(|found| fault(source, at, found))?;
+    if needed > limit::bound(source, options) {
+        return Err(limit::beyond(source, options, at, &format!("XML that takes {needed} bytes")));
+    }
+    Pages::new(shared, size).ok_or_else(|| fault(source, 40, format!("pages of {size} bytes")))
 }
 
 /// The scans to read with their numbers, from 1.
@@ -82,39 +116,50 @@ fn chosen<'a>(
 /// Reads one scan; gives how many of its points are left out.
 fn read_scan(
     source: &Source,
-    reader: &mut E57Reader<Input>,
+    pages: &mut Pages,
     (number, scan): (usize, &PointCloud),
     options: &ReadOptions,
     out: &mut Decoded,
     columns: &mut Columns,
 ) -> Result<u64, Error> {
     let at = scan.file_offset;
-    let mut points = reader.pointcloud_simple(scan).map_err(|error| fault(source, at, describe(&error)))?;
-    points.intensity_to_color(false);
-    points.normalize_intensity(false);
-    points.normalize_color(false);
-    let mut left_out = 0;
-    for (index, point) in (0u64..).zip(&mut points) {
-        let point = match point {
-            Ok(point) => point,
-            Err(_) if options.salvage => {
-                out.cut(source, options, &format!("points of scan {number}"), scan.records, index)?;
+    let kinds = scan.prototype.iter().map(|record| record.data_type.clone()).collect();
+    let mut fields = Fields::new(scan);
+    let packets = Packets::new(pages, at, kinds);
+    let mut packets = packets.map_err(|error| fault(source, at, format!("scan {number}: {error}")))?;
+    if packets.available().is_none() {
+        // Without bits nothing in the file bounds the number of points.
+        limit::check(source, options, scan.records, 24 + columns.row_bytes())?;
+    }
+    let (mut done, mut left_out) = (0, 0);
+    while done < scan.records {
+        let rows = packets.available().unwrap_or(u64::MAX).min(scan.records - done).min(ROWS);
+        let step = if rows == 0 {
+            packets.advance().map_err(|error| error.to_string())
+        } else {
+            fields.decode(&mut packets, rows as usize)
+        };
+        if let Err(error) = step {
+            if options.salvage {
+                out.cut(source, options, &format!("points of scan {number}"), scan.records, done)?;
                 break;
             }
-            Err(error) => {
-                let what = format!("scan {number}, point {index} of {}: {}", scan.records, describe(&error));
-                return Err(fault(source, at, what));
-            }
-        };
-        if index % STEP == 0 {
-            limit::check(source, options, out.cloud.len() as u64, 24 + columns.row_bytes())?;
+            let what = format!("scan {number}, point {done} of {}: {error}", scan.records);
+            return Err(fault(source, at, what));
         }
-        match point.cartesian {
-            CartesianCoordinate::Valid { x, y, z } => {
-                out.cloud.positions.push([x, y, z]);
-                columns.push(&point, number);
+        if rows == 0 {
+            continue;
+        }
+        done += rows;
+        limit::check(source, options, out.cloud.len() as u64 + rows, 24 + columns.row_bytes())?;
+        for row in 0..rows as usize {
+            match fields.point(row) {
+                Some(point) => {
+                    out.cloud.positions.push(point.position);
+                    columns.push(&point, number);
+                }
+                None => left_out += 1,
             }
-            _ => left_out += 1,
         }
     }
     Ok(left_out)
@@ -139,7 +184,7 @@ impl Columns {
 
     fn push(&mut self, point: &Point, scan: usize) {
         if self.has_color {
-            let color = point.color.as_ref().map_or([f32::NAN; 3], |c| [c.red, c.green, c.blue]);
+            let color = point.color.unwrap_or([f32::NAN; 3]);
             self.color.iter_mut().zip(color).for_each(|(column, value)| column.push(value));
         }
         if self.has_intensity {

@@ -11,7 +11,7 @@ use crate::columns::{Endian, Scalar};
 use crate::error::{Error, Place};
 use crate::source::Source;
 use buffers::Buffers;
-use document::{Document, Primitive};
+use document::Document;
 use std::collections::BTreeSet;
 use std::io::Read;
 use transform::{IDENTITY, Transform};
@@ -41,34 +41,41 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     let binary = if packed { binary(source)? } else { None };
     let mut buffers = Buffers::new(source, &document, binary);
     let fault = |found: String| source.fault(Place::Byte(at), found, "the file is damaged, or not whole");
-    for (accessor, transform) in positions(&document).map_err(fault)? {
-        let stated = document.accessors.get(accessor);
-        let stated = stated.ok_or_else(|| fault(format!("accessor {accessor}, which does not exist")))?;
-        buffers.load(accessor::views(stated))?;
-        let needed = stated.count.saturating_add(out.cloud.len() as u64).saturating_mul(24);
-        if needed > buffers.room(options, text.capacity()) {
-            let what = format!("{} vertices that unpack to {needed} bytes", stated.count);
-            return Err(limit::beyond(source, options, at, &what));
+    let meshes = accessors(&document);
+    for (mesh, transform) in placed(&document).map_err(fault)? {
+        for &accessor in meshes.get(mesh).into_iter().flatten() {
+            let stated = document.accessors.get(accessor);
+            let stated = stated.ok_or_else(|| fault(format!("accessor {accessor}, which does not exist")))?;
+            buffers.load(accessor::views(stated))?;
+            let needed = stated.count.saturating_add(out.cloud.len() as u64).saturating_mul(24);
+            if needed > buffers.room(options, text.capacity()) {
+                let what = format!("{} vertices that unpack to {needed} bytes", stated.count);
+                return Err(limit::beyond(source, options, at, &what));
+            }
+            accessor::append(stated, &buffers, &transform, &mut out.cloud.positions)
+                .map_err(|found| fault(format!("accessor {accessor} {found}")))?;
         }
-        accessor::append(stated, &buffers, &transform, &mut out.cloud.positions)
-            .map_err(|found| fault(format!("accessor {accessor} {found}")))?;
     }
+    out.beside = buffers.files();
     out.ignored.push("everything but the vertices; y is up".into());
     Ok(out)
 }
 
-/// The accessors of positions, each with the transformation by the nodes above it.
-fn positions(document: &Document) -> Result<Vec<(usize, Transform)>, String> {
-    let mut found = Vec::new();
-    let mut mesh = |index: usize, transform: Transform| {
-        let primitives = document.meshes.get(index).map_or(&[] as &[Primitive], |m| &m.primitives);
-        let accessors: BTreeSet<usize> = primitives.iter().filter_map(|p| p.attributes.position).collect();
-        found.extend(accessors.into_iter().map(|accessor| (accessor, transform)));
-    };
+/// The accessors of positions of every mesh, each once. Those that are said to be empty are left out: any number of nodes may
+/// hold a mesh, so that what they hold must take memory, which has a bound.
+fn accessors(document: &Document) -> Vec<BTreeSet<usize>> {
+    let filled = |index: &usize| document.accessors.get(*index).is_none_or(|accessor| accessor.count > 0);
+    let meshes =
+        document.meshes.iter().map(|mesh| mesh.primitives.iter().filter_map(|p| p.attributes.position));
+    meshes.map(|positions| positions.filter(filled).collect()).collect()
+}
+
+/// The meshes that nodes of the scene hold, each with what the nodes above it do to it.
+fn placed(document: &Document) -> Result<Vec<(usize, Transform)>, String> {
     if document.nodes.is_empty() {
-        (0..document.meshes.len()).for_each(|index| mesh(index, IDENTITY));
-        return Ok(found);
+        return Ok((0..document.meshes.len()).map(|mesh| (mesh, IDENTITY)).collect());
     }
+    let mut found = Vec::new();
     let mut seen = BTreeSet::new();
     let mut stack: Vec<(usize, Transform)> =
         document.roots()?.into_iter().rev().map(|root| (root, IDENTITY)).collect();
@@ -78,7 +85,7 @@ fn positions(document: &Document) -> Result<Vec<(usize, Transform)>, String> {
         };
         let transform = transform::of(node, &above);
         stack.extend(node.children.iter().rev().map(|&child| (child, transform)));
-        node.mesh.into_iter().for_each(|index| mesh(index, transform));
+        found.extend(node.mesh.map(|mesh| (mesh, transform)));
     }
     Ok(found)
 }

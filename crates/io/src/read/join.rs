@@ -50,7 +50,7 @@ fn add(all: &mut Scan, mut next: Scan) {
     all.cloud.positions.append(&mut next.cloud.positions);
     if next.crs != all.crs {
         let name = |crs: &Option<String>| crs.clone().unwrap_or_else(|| "none stated".into());
-        all.ignored.push(format!(
+        all.warnings.push(format!(
             "the reference system {} of {}: it is taken for {}",
             name(&next.crs),
             next.name,
@@ -58,6 +58,8 @@ fn add(all: &mut Scan, mut next: Scan) {
         ));
     }
     all.ignored.append(&mut next.ignored);
+    all.warnings.append(&mut next.warnings);
+    all.beside.append(&mut next.beside);
     all.missing = all.missing.take().or(next.missing);
     all.name = format!("{}, {}", all.name, next.name);
     all.bytes += next.bytes;

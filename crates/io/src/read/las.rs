@@ -3,6 +3,7 @@
 
 mod chunks;
 mod copc;
+mod geo;
 mod gps;
 mod header;
 mod laz;
@@ -61,7 +62,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     points::finish(&mut table, &dimensions);
     out.cloud = table.into_cloud();
     note(&header, &frame, options, &mut out);
-    out.crs = frame.crs();
+    (out.crs, out.epsg) = (frame.crs(), frame.epsg());
     out.las = Some(frame);
     Ok(out)
 }
@@ -116,8 +117,8 @@ fn note_bounds(table: &Table, out: &mut Decoded) {
 /// Notes the bytes after the points, other than extended records.
 fn note_rest(source: &mut Source, header: &Header, rows: u64, out: &mut Decoded) -> Result<(), Error> {
     let extra = source.drain()?;
-    if rows == header.points && extra > 0 && header.minor < 4 {
-        out.ignored.push(format!("{extra} bytes after the {rows} points that the header announces"));
+    if rows == header.points && header.minor < 4 {
+        super::rows::note_extra(extra, header.record_length as u64, "point", out);
     }
     Ok(())
 }

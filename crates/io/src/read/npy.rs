@@ -33,6 +33,11 @@ const MAX_ROW: usize = 1 << 20;
 const WIDE: usize = 16;
 
 impl Header {
+    /// Fields and names that the header holds.
+    pub fn described(&self) -> usize {
+        self.fields.len() + self.names.len() + self.left_out.len()
+    }
+
     /// Refuses a plain array with a row for each coordinate instead of a column.
     pub fn upright(&self) -> Result<(), String> {
         let columns = self.fields.len();
@@ -88,8 +93,8 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         out.cut(source, options, "rows", header.rows, rows)?;
     }
     let extra = source.drain()?;
-    if extra > 0 && out.missing.is_none() {
-        out.ignored.push(format!("{extra} bytes after the array"));
+    if out.missing.is_none() {
+        super::rows::note_extra(extra, header.stride as u64, "row", &mut out);
     }
     Ok(out)
 }

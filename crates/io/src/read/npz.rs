@@ -12,6 +12,9 @@ use lineament::{Attribute, Cloud, Column};
 
 /// Share of the bound on memory that an array stands for: its stream is opened with buffers of its own.
 const ARRAY: u64 = 1 << 14;
+/// Bytes in memory for a field of an array, and bytes of an array that are looked at for its header.
+const FIELD: u64 = 96;
+const HEADER: usize = 1 << 12;
 /// Names that arrays of points have by custom; the only array with three columns is taken under any name.
 const POINTS: [&str; 8] = ["points", "xyz", "positions", "pos", "coords", "coordinates", "vertices", "pc"];
 
@@ -20,6 +23,8 @@ struct Array {
     name: String,
     entry: Entry,
     header: Header,
+    /// Bytes before its numbers.
+    begins: u64,
 }
 
 /// Where coordinates are: three columns of arrays, by array and column.
@@ -64,15 +69,28 @@ fn headers(
     if entries.len() as u64 * ARRAY > limit::bound(source, options) {
         return Err(limit::beyond(source, options, 0, &format!("an archive of {} entries", entries.len())));
     }
-    let mut arrays = Vec::new();
+    zip::apart(source, archive, &entries)?;
+    let (mut arrays, mut held) = (Vec::new(), 0);
     for entry in entries {
         let Some(name) = entry.name.strip_suffix(".npy").map(String::from) else {
             out.ignored.push(format!("entry `{}`: no array", entry.name));
             continue;
         };
-        let mut stream = zip::open(source, archive, &entry)?;
+        let mut stream = zip::open(source, archive, &entry)?.in_steps(HEADER);
         match npy::parse(&npy::text(&mut stream)?) {
-            Ok(header) if header.stride > 0 => arrays.push(Array { name, entry, header }),
+            Ok(header) if header.stride > 0 => {
+                held += header.described() as u64 * FIELD;
+                if held > limit::bound(source, options) {
+                    return Err(limit::beyond(
+                        source,
+                        options,
+                        0,
+                        "an archive of arrays whose fields take more",
+                    ));
+                }
+                let begins = stream.offset();
+                arrays.push(Array { name, entry, header, begins });
+            }
             Ok(_) => out.ignored.push(format!("array `{name}`: no fields")),
             Err(what) => out.ignored.push(format!("array `{name}`: {what}")),
         }
@@ -123,9 +141,17 @@ fn plain(source: &Source, arrays: &[Array], index: usize) -> Result<Axes, Error>
 
 /// The columns of an array; `None` if it ends early.
 fn content(source: &Source, archive: &Shared, array: &Array) -> Result<Option<Vec<Column>>, Error> {
-    let needed = array.header.rows.saturating_mul(array.header.stride as u64);
+    let needed = array.header.rows.saturating_mul(array.header.stride as u64).saturating_add(array.begins);
     if needed > array.entry.bytes {
         return Ok(None);
+    }
+    if needed < array.entry.bytes {
+        let found = format!("array `{}` of {needed} bytes in an entry of {}", array.name, array.entry.bytes);
+        return Err(source.fault(
+            Place::Byte(0),
+            found,
+            "the header of the array and its bytes do not agree",
+        ));
     }
     let mut stream = zip::open(source, archive, &array.entry)?;
     npy::text(&mut stream)?;

@@ -5,7 +5,7 @@ use super::rows::room;
 use super::{Decoded, ReadOptions};
 use crate::error::Error;
 use crate::number::{integer, parse, shown, tokens};
-use crate::source::Source;
+use crate::source::{Source, Word};
 
 /// Whether a first word is one of this format.
 pub(crate) fn is_keyword(word: &[u8]) -> bool {
@@ -15,51 +15,97 @@ pub(crate) fn is_keyword(word: &[u8]) -> bool {
 /// Numbers that may stand on the line of a vertex: coordinates, normal, colour and two more for texture.
 const WIDEST: usize = 12;
 
+/// Bytes in which the first vertex is looked for.
+const SAMPLE: usize = 1 << 12;
+
 /// Reads an OFF input.
 pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
     source.detect_terminator()?;
     let [vertices, faces] = header(source)?;
     let mut out = Decoded::default();
     out.cloud.positions.reserve_exact(room(source, vertices, 6));
-    let first = if vertices > 0 { next(source)? } else { None };
-    let width = first.as_ref().map_or(3, |line| tokens(line).count());
-    let by_line = (3..=WIDEST).contains(&width);
-    let rest = if by_line {
-        lines(source, options, vertices, first, &mut out)?
+    let by_line = vertices > 0 && (3..=WIDEST).contains(&first_width(source)?);
+    if by_line {
+        lines(source, options, vertices, &mut out)?;
     } else {
-        running(source, options, vertices, first, &mut out)?
-    };
+        running(source, options, vertices, &mut out)?;
+    }
     if out.missing.is_some() {
         return Ok(out);
     }
-    let mut there = rest.map_or(0, |line| faces_on(&line));
-    while there < faces {
-        let Some(line) = next(source)? else {
-            out.cut(source, options, "faces", faces, there)?;
-            break;
-        };
-        there += if by_line { 1 } else { faces_on(&line) };
+    let there = if by_line { count_lines(source)? } else { count_faces(source, faces)? };
+    if there < faces {
+        out.cut(source, options, "faces", faces, there)?;
+    } else if there > faces && !by_line {
+        // A colour behind a face may look like another one.
+        let what = format!("behind the {vertices} vertices stand more than the {faces} faces of the header");
+        out.warnings.push(what);
+    } else if there > faces {
+        let found = format!("more rows than the {vertices} vertices and {faces} faces of the header");
+        let advice = "the header and the rows do not agree; the file is damaged";
+        return Err(source.malformed_line(found, advice));
     }
+    out.warnings.extend(source.open_end());
     if faces > 0 {
         out.ignored.push(format!("{faces} faces"));
     }
     Ok(out)
 }
 
-/// Reads vertices on lines of their own, with further numbers beside them.
-fn lines(
-    source: &mut Source,
-    options: &ReadOptions,
-    vertices: u64,
-    first: Option<Vec<u8>>,
-    out: &mut Decoded,
-) -> Result<Option<Vec<u8>>, Error> {
-    let (mut ahead, mut longest, mut width) = (first, 0, 0);
+/// Numbers on the line that comes next; more than any vertex has if the line is very long.
+fn first_width(source: &mut Source) -> Result<usize, Error> {
+    let start = source.peek(SAMPLE)?;
+    let mut lines = start.split_inclusive(|&b| b == b'\n' || b == b'\r');
+    let words = |line: &[u8]| tokens(line.split(|&b| b == b'#').next().unwrap_or(&[])).count();
+    Ok(lines.find_map(|line| Some(words(line.trim_ascii())).filter(|&count| count > 0)).unwrap_or(WIDEST + 1))
+}
+
+/// Lines that are left.
+fn count_lines(source: &mut Source) -> Result<u64, Error> {
+    let mut count = 0;
+    while next(source)?.is_some() {
+        count += 1;
+    }
+    Ok(count)
+}
+
+/// Faces that are left, of which several may stand on a line: each a count and as many indices, the last of a line perhaps
+/// with a colour or with its end on the next line. Stops behind one more than `most`.
+fn count_faces(source: &mut Source, most: u64) -> Result<u64, Error> {
+    // Faces on this line, and corners that the last of them has yet to come.
+    let (mut there, mut here, mut left, mut colours) = (0u64, 0u64, 0u64, false);
+    while there + here <= most {
+        match source.word()? {
+            Some(Word::Text(_)) if left > 0 => {
+                left -= 1;
+                here += u64::from(left == 0);
+            }
+            Some(Word::Text(_)) if colours => {}
+            Some(Word::Text(word)) => match integer(&word) {
+                Some(corners) => {
+                    left = corners;
+                    here += u64::from(corners == 0);
+                }
+                None => colours = true,
+            },
+            end => {
+                // A face that is alone on its line counts though its end may stand on the next.
+                there += if here == 0 && left > 0 { 1 } else { here };
+                (here, left, colours) = (0, 0, false);
+                if end.is_none() {
+                    return Ok(there);
+                }
+            }
+        }
+    }
+    Ok(there + here)
+}
+
+/// Reads vertices that have a line each, with what stands beside them.
+fn lines(source: &mut Source, options: &ReadOptions, vertices: u64, out: &mut Decoded) -> Result<(), Error> {
+    let (mut longest, mut width) = (0, 0);
     for row in 0..vertices {
-        let line = match ahead.take() {
-            Some(line) => Some(line),
-            None => next(source)?,
-        };
+        let line = next(source)?;
         let read = line.as_ref().map(|line| vertex(line));
         let last = options.salvage && source.peek(1)?.is_empty();
         match read {
@@ -71,15 +117,14 @@ fn lines(
                 return Err(source.malformed_line(format!("vertex {row}: {found}"), advice(width)));
             }
             _ => {
-                out.cut(source, options, &unit(width), vertices, row)?;
-                return Ok(None);
+                return out.cut(source, options, &unit(width), vertices, row);
             }
         }
     }
     if longest > 0 {
         out.ignored.push(format!("{longest} numbers beside the coordinates of vertices"));
     }
-    Ok(None)
+    Ok(())
 }
 
 /// The unit of missing vertices where the first line has so many numbers: several vertices on a line cannot be told from
@@ -98,56 +143,40 @@ fn advice(width: usize) -> String {
     }
 }
 
-/// Reads vertices whose numbers run over lines. Returns the rest of the line after the last one.
+/// Reads vertices whose numbers follow each other with no regard to lines.
 fn running(
     source: &mut Source,
     options: &ReadOptions,
     vertices: u64,
-    first: Option<Vec<u8>>,
     out: &mut Decoded,
-) -> Result<Option<Vec<u8>>, Error> {
-    let (mut ahead, mut point, mut axis, mut row) = (first, [0.0; 3], 0, 0);
-    loop {
-        let Some(line) = (if ahead.is_some() { ahead.take() } else { next(source)? }) else {
-            out.cut(source, options, "vertices", vertices, row)?;
-            return Ok(None);
-        };
-        let mut words = tokens(&line);
-        while row < vertices
-            && let Some(word) = words.next()
-        {
-            let Some(value) = parse(word) else {
-                let found = format!("vertex {row}: coordinate {}", shown(word));
-                return Err(source.malformed_line(found, "expected three numbers for each vertex"));
-            };
-            point[axis] = value;
-            axis = (axis + 1) % 3;
-            if axis == 0 {
-                out.cloud.positions.push(point);
-                row += 1;
+) -> Result<(), Error> {
+    let (mut point, mut axis, mut row) = ([0.0; 3], 0, 0);
+    while row < vertices {
+        match source.word()? {
+            Some(Word::Text(word)) => {
+                let Some(value) = parse(&word) else {
+                    let found = format!("vertex {row}: coordinate {}", shown(&word));
+                    return Err(source.malformed_line(found, "expected three numbers for each vertex"));
+                };
+                point[axis] = value;
+                axis = (axis + 1) % 3;
+                if axis == 0 {
+                    out.cloud.positions.push(point);
+                    row += 1;
+                }
             }
-        }
-        if row == vertices {
-            return Ok(Some(words.collect::<Vec<_>>().join(&b' ')));
+            Some(Word::LineEnd) => {}
+            None => return out.cut(source, options, "vertices", vertices, row),
         }
     }
-}
-
-/// Faces on a line: each a count and as many indices, the last perhaps with a colour or with its end on the next line.
-fn faces_on(line: &[u8]) -> u64 {
-    let words: Vec<&[u8]> = tokens(line).collect();
-    let (mut at, mut count) = (0, 0);
-    while let Some(corners) = words.get(at).and_then(|word| integer(word)) {
-        at = at.saturating_add(1).saturating_add(usize::try_from(corners).unwrap_or(usize::MAX));
-        count += u64::from(count == 0 || at <= words.len());
-    }
-    count
+    Ok(())
 }
 
 /// The numbers of vertices and faces.
 fn header(source: &mut Source) -> Result<[u64; 2], Error> {
     let first = next(source)?.unwrap_or_default();
-    let mut words: Vec<Vec<u8>> = tokens(&first).map(<[u8]>::to_vec).collect();
+    // A keyword, three counts, and one too many.
+    let mut words: Vec<Vec<u8>> = tokens(&first).take(5).map(<[u8]>::to_vec).collect();
     let keyword =
         if words.first().is_some_and(|word| is_keyword(word)) { words.remove(0) } else { Vec::new() };
     let binary = words.first().is_some_and(|word| word == b"BINARY");
@@ -158,11 +187,11 @@ fn header(source: &mut Source) -> Result<[u64; 2], Error> {
         );
     }
     if words.is_empty() {
-        words = tokens(&next(source)?.unwrap_or_default()).map(<[u8]>::to_vec).collect();
+        words = tokens(&next(source)?.unwrap_or_default()).take(4).map(<[u8]>::to_vec).collect();
     }
     let counts: Vec<u64> = words.iter().map_while(|word| integer(word)).collect();
     match counts.as_slice() {
-        [vertices, faces, ..] if counts.len() == words.len() => Ok([*vertices, *faces]),
+        [vertices, faces] | [vertices, faces, _] if counts.len() == words.len() => Ok([*vertices, *faces]),
         _ => {
             let found = format!("counts {}", shown(&words.join(&b' ')));
             Err(source.malformed_line(found, "expected the numbers of vertices, faces and edges"))

@@ -4,6 +4,8 @@
 mod page;
 mod pages;
 mod schema;
+mod thrift;
+mod tree;
 mod unpack;
 
 use super::{Decoded, ReadOptions, limit};
@@ -17,6 +19,7 @@ use ::parquet::errors::{ParquetError, Result as ParquetResult};
 use ::parquet::file::reader::{ChunkReader, FileReader, Length, SerializedFileReader};
 use bytes::Bytes;
 use lineament::{Attribute, Column};
+use pages::Room;
 use schema::Wanted;
 use std::io::BufReader;
 
@@ -80,8 +83,15 @@ fn check_footer(source: &Source, options: &ReadOptions, shared: &Shared) -> Resu
     }
     let at = length - 8 - metadata;
     let bytes = shared.at(at, metadata as usize).map_err(|e| source.io(e))?;
-    let whole = pages::is_structure(&bytes);
-    if whole { Ok(()) } else { Err(fault(source, at, "metadata that is no whole structure".into())) }
+    if !thrift::is_structure(&bytes) {
+        return Err(fault(source, at, "metadata that is no whole structure".into()));
+    }
+    let paths = tree::paths(&bytes).map_err(|found| fault(source, at, found))?;
+    if paths > limit::bound(source, options) / 2 {
+        let what = format!("a schema whose columns have paths of {paths} bytes");
+        return Err(limit::beyond(source, options, at, &what));
+    }
+    Ok(())
 }
 
 fn decode(source: &Source, options: &ReadOptions, shared: &Shared) -> Result<Decoded, Error> {
@@ -99,7 +109,8 @@ fn decode(source: &Source, options: &ReadOptions, shared: &Shared) -> Result<Dec
     let attributes = wanted.iter().filter(|column| column.axis.is_none());
     let row_bytes = 24 + TRANSIENT + attributes.map(Wanted::bytes).sum::<usize>();
     limit::check(source, options, rows, row_bytes)?;
-    let room = limit::bound(source, options) - rows * row_bytes as u64;
+    let bound = limit::bound(source, options);
+    let mut room = Room { memory: bound - rows * row_bytes as u64, total: bound.saturating_mul(2) };
     out.cloud.positions = vec![[0.0; 3]; rows as usize];
     wanted.iter_mut().filter(|column| column.axis.is_none()).for_each(|column| column.reserve(rows as usize));
     let mut first = 0;
@@ -107,12 +118,20 @@ fn decode(source: &Source, options: &ReadOptions, shared: &Shared) -> Result<Dec
         let reader = file.get_row_group(index).map_err(failed)?;
         let count = group.num_rows() as usize;
         for column in &mut wanted {
-            pages::check(source, options, shared, group.column(column.index), room)?;
+            pages::check(source, options, shared, group.column(column.index), &mut room)?;
             let values = reader.get_column_reader(column.index).map_err(failed)?;
             if column.axis.is_some() {
                 column.reserve(count);
             }
             let read = group_column(values, count, column).map_err(failed)?;
+            if read < count && !options.salvage {
+                // All pages are there, so that nothing is cut off.
+                let found = format!(
+                    "column `{}` of row group {index}, whose pages hold {read} of {count} rows",
+                    column.name
+                );
+                return Err(fault(source, group.column(column.index).byte_range().0, found));
+            }
             if read < count {
                 out.cut(source, options, "rows", rows, first as u64)?;
                 out.cloud.positions.truncate(first);

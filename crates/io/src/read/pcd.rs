@@ -5,7 +5,7 @@ mod body;
 mod header;
 mod lzf;
 
-use super::rows::{Table, room};
+use super::rows::{self, Table, room};
 use super::{Decoded, ReadOptions, limit};
 use crate::columns::Endian;
 use crate::error::Error;
@@ -74,19 +74,11 @@ fn note_rest(source: &mut Source, header: &Header, out: &mut Decoded) -> Result<
         return Ok(());
     }
     if header.data == Data::Ascii {
-        while let Some(line) = source.line()? {
-            if crate::number::token(line).is_some() {
-                let found = format!("more rows than the {} points of the header", header.points);
-                return Err(
-                    source.malformed_line(found, "the header and the rows do not agree; the file is damaged")
-                );
-            }
-        }
+        rows::no_more_rows(source, &format!("{} points", header.points))?;
+        out.warnings.extend(source.open_end());
         return Ok(());
     }
     let extra = source.drain()?;
-    if extra > 0 {
-        out.ignored.push(format!("{extra} bytes after the last point"));
-    }
+    rows::note_extra(extra, header.stride() as u64, "point", out);
     Ok(())
 }

@@ -6,7 +6,7 @@ mod ascii;
 mod binary;
 mod header;
 
-use super::rows::{Table, room};
+use super::rows::{self, Table, room};
 use super::{Decoded, ReadOptions};
 use crate::error::Error;
 use crate::source::Source;
@@ -14,7 +14,7 @@ use header::{Element, Encoding, Header, Kind};
 
 /// Reads a PLY input from its first byte.
 pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
-    let header = header::parse(source)?;
+    let header = header::parse(source, options)?;
     let mut out = Decoded::default();
     for element in &header.elements {
         let whole = if element.is_vertex() {
@@ -113,11 +113,16 @@ fn note_ignored(
             out.ignored.push(format!("{} properties beside the positions", element.properties.len() - 3));
         }
     }
-    if header.encoding != Encoding::Ascii && out.missing.is_none() {
-        let extra = source.drain()?;
-        if extra > 0 {
-            out.ignored.push(format!("{extra} bytes after the last element"));
-        }
+    if out.missing.is_some() {
+        return Ok(());
     }
+    if header.encoding == Encoding::Ascii {
+        let counts: Vec<String> = header.elements.iter().map(|e| format!("{} {}", e.count, e.name)).collect();
+        rows::no_more_rows(source, &counts.join(" and "))?;
+        out.warnings.extend(source.open_end());
+        return Ok(());
+    }
+    let extra = source.drain()?;
+    rows::note_extra(extra, header.row_bytes(), "element", out);
     Ok(())
 }

@@ -37,12 +37,25 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
             out.cut(source, options, "lines of a scan's header", 10, 1)?;
             break;
         };
+        if options.scan.is_some_and(|wanted| wanted as u64 != scans) {
+            let read = pass(source, cells)?;
+            if read < cells {
+                out.cut(source, options, &format!("cells of scan {scans}"), cells, read)?;
+                break;
+            }
+            continue;
+        }
         let read = cells_of(source, options, cells, &transform, &mut out, &mut columns, &mut empty)?;
         if read < cells {
             out.cut(source, options, &format!("cells of scan {scans}"), cells, read)?;
             break;
         }
     }
+    if let Some(wanted) = options.scan.filter(|&wanted| wanted as u64 > scans) {
+        let found = format!("there is no scan {wanted} of {scans}");
+        return Err(source.malformed_line(found, "scans are numbered from 1"));
+    }
+    out.warnings.extend(source.open_end().filter(|_| out.missing.is_none()));
     if empty > 0 {
         out.ignored.push(format!("{empty} cells without a return"));
     }
@@ -50,6 +63,16 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     out.cloud.attributes =
         named.map(|(name, values)| Attribute { name: (*name).into(), values: narrowed(values) }).collect();
     Ok(out)
+}
+
+/// Passes over the cells of a scan; gives how many there were.
+fn pass(source: &mut Source, cells: u64) -> Result<u64, Error> {
+    for cell in 0..cells {
+        if next(source)?.is_none() {
+            return Ok(cell);
+        }
+    }
+    Ok(cells)
 }
 
 /// The next line that is not blank.

@@ -6,6 +6,7 @@ pub(crate) use parts::Part;
 
 use crate::columns::{Endian, SHARED, Scalar, Stored, append_as, append_points, push, truncate};
 use crate::error::Error;
+use crate::read::Decoded;
 use crate::source::Source;
 use lineament::{Attribute, Cloud};
 
@@ -157,4 +158,26 @@ impl Table {
 pub(crate) fn room(source: &Source, announced: u64, least_bytes: u64) -> usize {
     let possible = source.remaining().map_or(1 << 16, |bytes| bytes / least_bytes.max(1));
     announced.min(possible) as usize
+}
+
+/// Refuses rows of text behind those that the header announces as `announced`: a part would be read in silence.
+pub(crate) fn no_more_rows(source: &mut Source, announced: &str) -> Result<(), Error> {
+    while let Some(line) = source.line()? {
+        if crate::number::token(line).is_some() {
+            let found = format!("more rows than the {announced} of the header");
+            let advice = "the header and the rows do not agree; the file is damaged";
+            return Err(source.malformed_line(found, advice));
+        }
+    }
+    Ok(())
+}
+
+/// Says how many bytes stand behind the last `unit` that the header announces: a warning, if they would do for one more.
+pub(crate) fn note_extra(extra: u64, row: u64, unit: &str, out: &mut Decoded) {
+    let what = format!("{extra} bytes after the last {unit} that the header announces");
+    if extra >= row.max(1) {
+        out.warnings.push(what);
+    } else if extra > 0 {
+        out.ignored.push(what);
+    }
 }

@@ -1,15 +1,31 @@
 //! Fewer points of a cloud: every n-th, one a voxel, those inside a box.
 
-use super::ReadOptions;
-use crate::columns::each_column;
+use super::{ReadOptions, Returns};
+use crate::columns::{each_column, get};
+use crate::error::Error;
 use lineament::Cloud;
 use std::collections::HashMap;
 
-/// Selects points by the options: first those in the box, then every n-th of these, then one for each voxel. Adds a sentence
+/// Points that voxels leave of many below which their edge may not be the one that was meant.
+const FEW: usize = 100;
+/// Steps of a voxel's edge up to which f64 tells neighbouring voxels apart.
+const STEPS: f64 = (1u64 << 52) as f64;
+
+/// Keeps what the options ask for: first the box, then every n-th of what is in it, then one a voxel. Adds a sentence
 /// for each that drops points.
-pub(super) fn select(cloud: &mut Cloud, options: &ReadOptions, ignored: &mut Vec<String>) {
-    if options.bounds.is_none() && options.every.is_none() && options.voxel.is_none() {
-        return;
+///
+/// # Errors
+/// A box that holds none of the points, and voxels finer than the coordinates.
+pub(super) fn select(
+    name: &str,
+    cloud: &mut Cloud,
+    options: &ReadOptions,
+    ignored: &mut Vec<String>,
+    warnings: &mut Vec<String>,
+) -> Result<(), Error> {
+    let filters = !options.classes.is_empty() || options.returns.is_some();
+    if !filters && options.bounds.is_none() && options.every.is_none() && options.voxel.is_none() {
+        return Ok(());
     }
     let mut kept: Vec<usize> = (0..cloud.len()).collect();
     let mut step = |kept: &mut Vec<usize>, next: Vec<usize>, what: &str| {
@@ -18,9 +34,37 @@ pub(super) fn select(cloud: &mut Cloud, options: &ReadOptions, ignored: &mut Vec
         }
         *kept = next;
     };
+    if !options.classes.is_empty() {
+        let class = column(name, cloud, "classification")?;
+        let next: Vec<usize> = kept
+            .iter()
+            .copied()
+            .filter(|&i| options.classes.iter().any(|&c| class(i) == f64::from(c)))
+            .collect();
+        step(&mut kept, next, "of other classes");
+    }
+    if let Some(returns) = options.returns {
+        let (number, count) =
+            (column(name, cloud, "return_number")?, column(name, cloud, "number_of_returns")?);
+        let wanted = |&i: &usize| match returns {
+            Returns::First => number(i) <= 1.0,
+            Returns::Last => number(i) >= count(i),
+            Returns::Only => count(i) <= 1.0,
+        };
+        let next = kept.iter().copied().filter(wanted).collect();
+        step(&mut kept, next, "of other returns");
+    }
+    if filters && kept.is_empty() && !cloud.is_empty() {
+        let what = format!("none of {} points is of these classes and returns", cloud.len());
+        let advice = "`lineament classify` of all points as CSV shows which there are".into();
+        return Err(Error::Unsupported { name: name.into(), what, advice });
+    }
     if let Some([low, high]) = options.bounds {
         let inside = |&i: &usize| (0..3).all(|a| (low[a]..=high[a]).contains(&cloud.positions[i][a]));
-        let next = kept.iter().copied().filter(inside).collect();
+        let next: Vec<usize> = kept.iter().copied().filter(inside).collect();
+        if next.is_empty() && !cloud.is_empty() {
+            return Err(outside(name, cloud, [low, high]));
+        }
         step(&mut kept, next, "outside the bounds");
     }
     if let Some(every) = options.every.filter(|&every| every > 1) {
@@ -28,12 +72,60 @@ pub(super) fn select(cloud: &mut Cloud, options: &ReadOptions, ignored: &mut Vec
         step(&mut kept, next, &format!("that are not every {every}th"));
     }
     if let Some(size) = options.voxel.filter(|&size| size > 0.0) {
+        finer(name, cloud, &kept, size)?;
         let next = voxels(cloud, &kept, size);
+        if next.len() < FEW && 10 * next.len() < kept.len() {
+            let all = kept.len();
+            warnings.push(format!(
+                "voxels of {size:?} leave {} of {all} points: smaller ones leave more",
+                next.len()
+            ));
+        }
         step(&mut kept, next, &format!("with a better one in their voxel of {size:?}"));
     }
     if kept.len() < cloud.len() {
         take(cloud, &kept);
     }
+    Ok(())
+}
+
+/// The values of an attribute, by point.
+fn column<'a>(
+    name: &str,
+    cloud: &'a Cloud,
+    attribute: &str,
+) -> Result<impl Fn(usize) -> f64 + use<'a>, Error> {
+    let found = cloud.attributes.iter().find(|a| a.name.eq_ignore_ascii_case(attribute));
+    let found = found.ok_or_else(|| Error::Unsupported {
+        name: name.into(),
+        what: format!("its points have no `{attribute}`"),
+        advice: "classes and returns stand in LAS files".into(),
+    })?;
+    Ok(move |index| get(&found.values, index))
+}
+
+/// The error for a box without points; it says where the points lie.
+fn outside(name: &str, cloud: &Cloud, [low, high]: [[f64; 3]; 2]) -> Error {
+    let axis = |pick: fn(f64, f64) -> f64, a: usize| {
+        let finite = cloud.positions.iter().map(|p| p[a]).filter(|c| c.is_finite());
+        finite.reduce(pick).unwrap_or(f64::NAN)
+    };
+    let [least, most] =
+        [f64::min, f64::max].map(|pick: fn(f64, f64) -> f64| [0, 1, 2].map(|a| axis(pick, a)));
+    let what = format!("none of {} points lies inside the bounds {low:?} to {high:?}", cloud.len());
+    Error::Unsupported { name: name.into(), what, advice: format!("they lie from {least:?} to {most:?}") }
+}
+
+/// Refuses voxels so fine that coordinates of this size do not tell neighbouring ones apart.
+fn finer(name: &str, cloud: &Cloud, kept: &[usize], size: f64) -> Result<(), Error> {
+    let finite = kept.iter().flat_map(|&i| cloud.positions[i]).map(f64::abs).filter(|c| c.is_finite());
+    let most = finite.fold(0.0, f64::max);
+    if most / size < STEPS {
+        return Ok(());
+    }
+    let what = format!("voxels of {size:?} are finer than coordinates of {most:?} can be told apart");
+    let advice = format!("voxels must be larger than {:e}", most / STEPS);
+    Err(Error::Unsupported { name: name.into(), what, advice })
 }
 
 /// Of every voxel the point nearest to its middle; of several as near, the least by its coordinates: so that the choice

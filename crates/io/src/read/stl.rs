@@ -72,9 +72,7 @@ fn binary(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> 
         out.cut(source, options, "triangles", count, done)?;
     } else {
         let extra = source.drain()?;
-        if extra > 0 {
-            out.ignored.push(format!("{extra} bytes after the last triangle"));
-        }
+        super::rows::note_extra(extra, TRIANGLE as u64, "triangle", &mut out);
     }
     out.ignored.push("normals and attributes of the triangles".into());
     Ok(out)

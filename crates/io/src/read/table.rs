@@ -28,14 +28,21 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         source.line()?;
     }
     let mut announced = layout.announced;
-    let mut fault = None;
+    let (mut fault, mut wrong) = (None, false);
     while let Some(line) = source.line()? {
         if split::is_comment(line) {
             continue;
         }
         if let Err(what) = rows.take(line, &layout) {
             if let (Some(before), Some(count)) = (announced, count_line(line)) {
-                announced = Some(next_block(source, before, count, rows.positions.len() as u64)?);
+                let read = rows.positions.len() as u64;
+                // What is whole of a block that is short stays; the blocks behind it are read on.
+                wrong |= read != before && options.salvage;
+                announced = Some(if wrong {
+                    before.saturating_add(count)
+                } else {
+                    next_block(source, before, count, read)?
+                });
                 continue;
             }
             fault = Some(what);
@@ -77,10 +84,14 @@ fn finish(
         out.cut(source, options, "rows", announced.unwrap_or(read + 1), read)?;
     } else if let Some(expected) = announced.filter(|&expected| expected > read) {
         out.cut(source, options, "rows", expected, read)?;
+    } else if let Some(expected) = announced.filter(|&expected| expected < read && options.salvage) {
+        out.warnings
+            .push(format!("{read} rows where count lines announce {expected}: all of them are taken"));
     } else if let Some(expected) = announced.filter(|&expected| expected < read) {
         let found = format!("{read} rows where the count line announces {expected}");
         return Err(source.malformed_line(found, "correct or remove the count line"));
     }
+    out.warnings.extend(source.open_end().filter(|_| announced.is_some() && out.missing.is_none()));
     rows.level();
     out.cloud.positions = rows.positions;
     out.cloud.attributes = {

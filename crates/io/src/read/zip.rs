@@ -13,6 +13,8 @@ pub(crate) const CENTRAL: &[u8] = b"PK\x01\x02";
 pub(crate) const END: &[u8] = b"PK\x05\x06";
 pub(crate) const END_64: &[u8] = b"PK\x06\x06";
 pub(crate) const LOCATOR: &[u8] = b"PK\x06\x07";
+/// Bytes before the name of an entry.
+const HEAD: u64 = 30;
 /// Bytes of an end record, and the most that a comment adds.
 const END_BYTES: u64 = 22;
 const COMMENT: u64 = 65_535;
@@ -122,15 +124,34 @@ fn entry(source: &Source, place: u64, bytes: &[u8], name: usize) -> Result<Entry
     Ok(entry)
 }
 
-/// A stream of the bytes of an entry, which are checked by their checksum at the end.
-pub(crate) fn open(source: &Source, archive: &Shared, entry: &Entry) -> Result<Source, Error> {
+/// Refuses entries that share bytes: a few of them would unpack to any number of bytes.
+pub(crate) fn apart(source: &Source, archive: &Shared, entries: &[Entry]) -> Result<(), Error> {
+    let mut places: Vec<(u64, u64)> = entries
+        .iter()
+        .map(|entry| Ok((entry.at, start(source, archive, entry)? + entry.packed)))
+        .collect::<Result<_, Error>>()?;
+    places.sort_unstable();
+    match places.windows(2).find(|pair| pair[0].1 > pair[1].0) {
+        Some(pair) => Err(damaged(source, pair[1].0, "an entry that begins within another one")),
+        None => Ok(()),
+    }
+}
+
+/// Where the bytes of an entry begin, all of which are there.
+fn start(source: &Source, archive: &Shared, entry: &Entry) -> Result<u64, Error> {
     let outside = || damaged(source, entry.at, format!("entry `{}` of {} bytes", entry.name, entry.packed));
-    let head = archive.at(entry.at, 30).map_err(|_| outside())?;
-    let start = entry.at + 30 + u64::from(number::<u16>(&head, 26)) + u64::from(number::<u16>(&head, 28));
+    let head = archive.at(entry.at, HEAD as usize).map_err(|_| outside())?;
+    let start = entry.at + HEAD + u64::from(number::<u16>(&head, 26)) + u64::from(number::<u16>(&head, 28));
     let inside = start.checked_add(entry.packed).is_some_and(|end| end <= archive.length());
     if !head.starts_with(LOCAL) || !inside {
         return Err(outside());
     }
+    Ok(start)
+}
+
+/// A stream of the bytes of an entry, which are checked by their checksum at the end.
+pub(crate) fn open(source: &Source, archive: &Shared, entry: &Entry) -> Result<Source, Error> {
+    let start = start(source, archive, entry)?;
     let packed = BufReader::with_capacity(1 << 16, archive.window(start, entry.packed));
     let checked = Checked {
         packed: packing(entry, packed).take(entry.bytes),

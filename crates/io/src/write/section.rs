@@ -48,7 +48,7 @@ pub fn write_sections_to(
         SectionFormat::Ply => ply::write(out, sections),
         SectionFormat::Dxf => dxf::write(out, sections, &context.stack),
         SectionFormat::Svg => svg::write(out, sections),
-        SectionFormat::GeoJson => geojson::write(out, sections),
+        SectionFormat::GeoJson => geojson::write(out, sections, context.crs.as_deref()),
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod arrays;
 mod bounded;
+mod claims;
 mod common;
 mod compare;
 mod copc;
@@ -17,6 +18,7 @@ mod meshes;
 mod networks;
 mod obj;
 mod output;
+mod parts;
 mod pcd;
 mod ply;
 mod points;

@@ -141,6 +141,7 @@ fn las_and_laz_keep_map_coordinates_and_every_attribute() {
 fn las_outputs_are_like_their_inputs() {
     let cloud = surveyed();
     let frame = LasFrame {
+        minor: 4,
         scale: [0.001, 0.01, 0.5],
         offset: [665_000.0, 5_648_000.0, 0.0],
         point_format: 2,

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
-use lineament_io::Format;
+use lineament_io::{Format, Returns};
 
 use crate::args::parse;
 
@@ -34,6 +34,12 @@ pub struct Reading {
     /// Read only one point of every cube with this edge, in the unit of the input
     #[arg(long, value_name = "SIZE", conflicts_with = "sample", value_parser = parse::length)]
     pub voxel: Option<f64>,
+    /// Read only the points of these classes, such as 2,6 of a LAS file
+    #[arg(long, value_name = "C,C,..", value_delimiter = ',', conflicts_with = "sample")]
+    pub class: Vec<u8>,
+    /// Read only these returns of each pulse of a LAS file
+    #[arg(long, value_name = "last|first|only", conflicts_with = "sample", value_parser = parse::returns)]
+    pub returns: Option<Returns>,
     /// Read only one scan of a file that holds several, counted from 1
     #[arg(long, value_name = "N", conflicts_with = "sample", value_parser = parse::count)]
     pub scan: Option<usize>,

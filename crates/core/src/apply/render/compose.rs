@@ -25,6 +25,7 @@ const HIDDEN_OPACITY: f32 = 0.45;
 /// Those of [`Settings::check`].
 pub fn render(scene: &Scene, settings: &Settings) -> Result<Picture, Error> {
     settings.check()?;
+    scene.check()?;
     let camera = aim(scene, settings);
     let projected: Vec<Projected> = scene.surfels.par_iter().map(|s| s.project(&camera)).collect();
     let surface = DepthBuffer::draw(&projected, settings.width * FINE, settings.height * FINE);

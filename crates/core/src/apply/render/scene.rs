@@ -36,6 +36,39 @@ pub struct Settings {
     pub caption: bool,
 }
 
+/// Extents of the points within which lines must lie: a stroke takes time and memory for its length in pixels.
+const FAR: f64 = 1e4;
+
+impl Scene<'_> {
+    /// Whether the lines lie where the points do.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a network with a point farther from the points than ten thousand of their extents.
+    pub fn check(&self) -> Result<(), Error> {
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for surfel in self.surfels {
+            for axis in 0..3 {
+                low[axis] = low[axis].min(surfel.position[axis]);
+                high[axis] = high[axis].max(surfel.position[axis]);
+            }
+        }
+        let reach = FAR * (0..3).map(|a| high[a] - low[a]).fold(self.spacing, f64::max);
+        let far = |p: &&[f64; 3]| !(0..3).all(|a| low[a] - reach <= p[a] && p[a] <= high[a] + reach);
+        let mut points = self.network.into_iter().flat_map(|network| {
+            let strips = network.strips.iter().flat_map(|strip| &strip.points);
+            strips.chain(network.nodes.iter().map(|node| &node.position))
+        });
+        match points.find(far) {
+            Some(point) if !self.surfels.is_empty() => Err(Error::Parameter {
+                key: "network".into(),
+                value: format!("{point:?}"),
+                expected: format!("lines of these points, which lie from {low:?} to {high:?}"),
+            }),
+            _ => Ok(()),
+        }
+    }
+}
+
 impl Default for Settings {
     fn default() -> Self {
         Self { view: View::Best, up: [0.0, 0.0, 1.0], width: 1600, height: 1200, caption: true }

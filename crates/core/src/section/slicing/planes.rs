@@ -24,7 +24,7 @@ pub(crate) fn cuts(planes: &Planes, low: f64, high: f64) -> Result<Vec<Cut>, Err
                 return Err(Error::Parameter {
                     key: "section.planes".into(),
                     value: planes.show(),
-                    expected: "expected a step that gives at most 1000000 slices".into(),
+                    expected: "expected a step that gives at most 100000 slices".into(),
                 });
             }
             let first = 0.5 * (low + high) - 0.5 * (many + 1.0) * step;

@@ -43,6 +43,9 @@ pub(super) fn append(
         }
     }
     if let Some(sparse) = &accessor.sparse {
+        if sparse.count > accessor.count {
+            return Err(format!("has {} sparse elements of {}", sparse.count, accessor.count));
+        }
         replace(sparse, buffers, (kind, unit), &mut out[first..])?;
     }
     out[first..].iter_mut().for_each(|p| *p = apply(transform, *p));

@@ -21,8 +21,9 @@ pub(super) struct Buffers<'a> {
     source: &'a Source,
     document: &'a Document<'a>,
     read: Vec<Option<Vec<u8>>>,
-    /// Bytes that came from other files.
+    /// Bytes that came from other files, and these.
     beside: u64,
+    files: Vec<PathBuf>,
 }
 
 impl<'a> Buffers<'a> {
@@ -32,7 +33,12 @@ impl<'a> Buffers<'a> {
         if document.buffers.first().is_none_or(|first| first.uri.is_none()) {
             read[0] = binary;
         }
-        Self { source, document, read, beside: 0 }
+        Self { source, document, read, beside: 0, files: Vec::new() }
+    }
+
+    /// Files that were read.
+    pub fn files(self) -> Vec<PathBuf> {
+        self.files
     }
 
     /// Bytes that vertices may take in memory, beside the buffers and `others`: files beside the input count as part of it.
@@ -51,7 +57,8 @@ impl<'a> Buffers<'a> {
                 *slot = Some(match uri.strip_prefix("data:") {
                     Some(data) => decoded(self.source, view.buffer, data)?,
                     None => {
-                        let bytes = beside(self.source, uri)?;
+                        let (path, bytes) = beside(self.source, uri)?;
+                        self.files.push(path);
                         self.beside += bytes.len() as u64;
                         bytes
                     }
@@ -98,8 +105,8 @@ fn decoded(source: &Source, buffer: usize, data: &str) -> Result<Vec<u8>, Error>
     BASE64.decode(text).map_err(|error| fault(&format!("in which the base64 has an {error}").to_lowercase()))
 }
 
-/// The bytes of a file in the folder of the input, or below it.
-fn beside(source: &Source, uri: &str) -> Result<Vec<u8>, Error> {
+/// A file in the folder of the input, or below it, and its bytes.
+fn beside(source: &Source, uri: &str) -> Result<(PathBuf, Vec<u8>), Error> {
     let refused = |what: &str| {
         let found = format!("the buffer in {}, {what}", crate::number::shown(uri.as_bytes()));
         source.fault(Place::Byte(0), found, "put the file beside the input, or pack both into one GLB")
@@ -115,5 +122,6 @@ fn beside(source: &Source, uri: &str) -> Result<Vec<u8>, Error> {
     if std::fs::metadata(&path).is_ok_and(|meta| !meta.is_file()) {
         return Err(refused("which is no regular file"));
     }
-    std::fs::read(&path).map_err(|error| refused(&format!("which cannot be read ({error})")))
+    let bytes = std::fs::read(&path).map_err(|error| refused(&format!("which cannot be read ({error})")))?;
+    Ok((path, bytes))
 }

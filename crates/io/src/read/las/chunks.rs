@@ -5,10 +5,10 @@ use super::header::{Fields, Header};
 use super::packing::Packing;
 use crate::error::{Error, Place};
 use crate::quiet;
-use crate::source::{Input, Source};
+use crate::source::{Shared, Source};
 use laz::LazVlr;
 use laz::laszip::ChunkTable;
-use std::io::{Cursor, Read, Seek, SeekFrom};
+use std::io::Cursor;
 use std::ops::Range;
 
 /// A chunk: where it is, how long, and its points.
@@ -21,12 +21,12 @@ pub(super) struct Chunk {
 /// Finds the chunks, and checks that they fit the file and hold the points that the header announces.
 pub(super) fn chunks(
     source: &Source,
-    input: &mut Input,
+    input: &Shared,
     header: &Header,
     vlr: &LazVlr,
     packing: &Packing,
 ) -> Result<Vec<Chunk>, Error> {
-    let length = input.seek(SeekFrom::End(0)).map_err(|e| source.io(e))?;
+    let length = input.length();
     let pointwise = Fields(&vlr_compressor(vlr)).number::<u16>() == 1;
     if pointwise || header.points == 0 {
         let bytes = length.saturating_sub(header.points_at);
@@ -108,7 +108,7 @@ fn vlr_compressor(vlr: &LazVlr) -> Vec<u8> {
 }
 
 /// Where the chunk table is: before the points, or at the end where the writer could not go back.
-fn table_offset(source: &Source, input: &mut Input, header: &Header, length: u64) -> Result<u64, Error> {
+fn table_offset(source: &Source, input: &Shared, header: &Header, length: u64) -> Result<u64, Error> {
     if length < header.points_at + 8 {
         return Err(source.ends_early("points", header.points, 0));
     }
@@ -120,11 +120,6 @@ fn table_offset(source: &Source, input: &mut Input, header: &Header, length: u64
 }
 
 /// Bytes of the input at a place.
-pub(super) fn at(source: &Source, input: &mut Input, place: u64, count: usize) -> Result<Vec<u8>, Error> {
-    let mut bytes = vec![0; count];
-    input
-        .seek(SeekFrom::Start(place))
-        .and_then(|_| input.read_exact(&mut bytes))
-        .map_err(|e| source.io(e))?;
-    Ok(bytes)
+pub(super) fn at(source: &Source, input: &Shared, place: u64, count: usize) -> Result<Vec<u8>, Error> {
+    input.at(place, count).map_err(|e| source.io(e))
 }

@@ -5,8 +5,7 @@ use super::chunks::{Chunk, at};
 use super::header::{Fields, Header, LasFrame};
 use crate::error::{Error, Place};
 use crate::read::ReadOptions;
-use crate::source::{Input, Source};
-use std::io::{Seek, SeekFrom};
+use crate::source::{Shared, Source};
 
 /// Bytes of an entry of the hierarchy.
 const ENTRY: u64 = 32;
@@ -42,7 +41,7 @@ struct Search<'a> {
 /// there are no bounds.
 pub(super) fn chunks(
     source: &Source,
-    input: &mut Input,
+    input: &Shared,
     header: &Header,
     frame: &LasFrame,
     options: &ReadOptions,
@@ -54,10 +53,13 @@ pub(super) fn chunks(
             "its octree has no finite size; the file is damaged, or read it without --bounds",
         ));
     };
-    let length = input.seek(SeekFrom::End(0)).map_err(|e| source.io(e))?;
+    let length = input.length();
     let search = Search { source, header, info, bounds, length };
     let mut chunks = search.walk(input)?;
     chunks.sort_by_key(|chunk| chunk.start);
+    if let Some(pair) = chunks.windows(2).find(|pair| pair[0].start + pair[0].bytes > pair[1].start) {
+        return Err(search.fault(pair[1].start, "nodes that share a chunk".into()));
+    }
     let total = chunks.iter().try_fold(0u64, |sum, chunk| sum.checked_add(chunk.points));
     if total.is_none_or(|total| total > header.points) {
         let found = format!("nodes with more than the {} points of the header", header.points);
@@ -76,7 +78,7 @@ fn info(data: &[u8]) -> Option<Info> {
 
 impl Search<'_> {
     /// Follows the pages of the hierarchy, each once at most.
-    fn walk(&self, input: &mut Input) -> Result<Vec<Chunk>, Error> {
+    fn walk(&self, input: &Shared) -> Result<Vec<Chunk>, Error> {
         let mut pages = vec![self.info.page];
         // More bytes of entries than the file has can only be pages that lead to each other.
         let mut left = self.length;

@@ -27,6 +27,8 @@ pub(super) struct Header {
 /// Storage of the coordinates of a LAS input, and its reference system: all that an output needs to match its input.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LasFrame {
+    /// The version, 1.0 to 1.4, behind its point.
+    pub minor: u8,
     /// Factor of the stored integers, a axis.
     pub scale: [f64; 3],
     /// Coordinates of the stored integer 0.

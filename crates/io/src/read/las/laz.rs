@@ -12,11 +12,11 @@ use crate::error::{Error, Place};
 use crate::quiet;
 use crate::read::rows::{Field, Part, Table};
 use crate::read::{ReadOptions, limit};
-use crate::source::{Input, Shared, Source};
+use crate::source::{Shared, Source};
 use laz::record::{LayeredPointRecordDecompressor, RecordDecompressor, SequentialPointRecordDecompressor};
 use laz::{DecompressionSelection, LazItemType, LazVlr};
 use rayon::prelude::*;
-use std::io::{Cursor, Seek, SeekFrom};
+use std::io::Cursor;
 
 /// Unpacked bytes that are held at a time of a chunk: they go to the table while they are in the cache.
 const STEP: usize = 1 << 17;
@@ -45,16 +45,17 @@ pub(super) fn read(
     if !options.attributes {
         packing.selection = DecompressionSelection::base().decompress_z();
     }
-    let mut input = source.seekable()?;
+    let input = source.seekable()?;
+    let input = Shared::new(input).map_err(|error| source.io(error))?;
     let mut projections = Vec::new();
-    let extended = extended(source, &mut input, header, &mut projections)?;
-    let chunks = match copc::chunks(source, &mut input, header, frame, options)? {
+    let extended = extended(source, &input, header, &mut projections)?;
+    let chunks = match copc::chunks(source, &input, header, frame, options)? {
         Some(overlapping) => overlapping,
-        None => chunks(source, &mut input, header, &vlr, &packing)?,
+        None => chunks(source, &input, header, &vlr, &packing)?,
     };
     let wanted: u64 = chunks.iter().map(|chunk| chunk.points).sum();
     limit::check(source, options, wanted, table.row_bytes())?;
-    let rows = match unpack_all(&chunks, input, &packing, fields, table) {
+    let rows = match unpack_all(&chunks, &input, &packing, fields, table) {
         Err((chunk, what)) if !options.salvage => return Err(broken(source, &chunks[chunk], &what)),
         Err((chunk, _)) => chunks[..chunk].iter().map(|chunk| chunk.points).sum(),
         Ok(()) => wanted,
@@ -66,11 +67,11 @@ pub(super) fn read(
 /// The extended records.
 fn extended(
     source: &Source,
-    input: &mut Input,
+    input: &Shared,
     header: &Header,
     records: &mut Vec<Record>,
 ) -> Result<(u32, u32), Error> {
-    let length = input.seek(SeekFrom::End(0)).map_err(|e| source.io(e))?;
+    let length = input.length();
     records::extended(header, records, |place, count| {
         let there = place.checked_add(count as u64).is_some_and(|end| end <= length);
         there.then(|| at(source, input, place, count)).transpose()
@@ -81,12 +82,11 @@ fn extended(
 /// cannot be unpacked whole, and why.
 fn unpack_all(
     chunks: &[Chunk],
-    input: Input,
+    input: &Shared,
     packing: &Packing,
     fields: &[Field],
     table: &mut Table,
 ) -> Result<(), (usize, String)> {
-    let input = Shared::new(input).map_err(|error| (0, error.to_string()))?;
     table.zeros(chunks.iter().map(|chunk| chunk.points as usize).sum());
     let (mut row, mut before) = (0, 0);
     for group in chunks.chunks(GROUP) {
@@ -94,7 +94,7 @@ fn unpack_all(
         let parts = table.parts(row, &lengths).ok_or_else(|| (before, "no grid".into()))?;
         let work = parts.into_par_iter().zip(group).with_max_len(1);
         let unpacked: Vec<Result<usize, String>> =
-            work.map(|(part, chunk)| unpack(chunk, &input, packing, fields, part)).collect();
+            work.map(|(part, chunk)| unpack(chunk, input, packing, fields, part)).collect();
         for (index, outside) in unpacked.into_iter().enumerate() {
             table.count_outside(outside.map_err(|what| (before + index, what))?);
         }

@@ -1,6 +1,8 @@
 //! Variable length records of LAS, the coordinate reference system among them.
 
+use super::geo;
 use super::header::{Fields, Header, LasFrame, Record};
+use crate::crs::Crs;
 use crate::error::Error;
 use crate::source::Source;
 
@@ -12,6 +14,7 @@ const EXTENDED_HEADER: usize = 60;
 /// Reads the records between the header and the points.
 pub(super) fn read(source: &mut Source, header: &Header) -> Result<LasFrame, Error> {
     let mut frame = LasFrame {
+        minor: header.minor,
         scale: header.scale,
         offset: header.offset,
         point_format: header.format,
@@ -104,25 +107,21 @@ impl LasFrame {
 
     /// The coordinate reference system: its name in well-known text, or `EPSG:` and the code of its geo keys.
     pub fn crs(&self) -> Option<String> {
-        let wkt = self.wkt();
-        wkt.map(|wkt| wkt.split('"').nth(1).map(String::from).unwrap_or(wkt)).or_else(|| self.epsg())
+        let crs = self.system();
+        crs.name.clone().or_else(|| crs.short())
+    }
+
+    /// The code of the coordinate reference system in the EPSG register, by its well-known text or its geo keys.
+    pub fn epsg(&self) -> Option<u32> {
+        self.system().code.and_then(|code| code.try_into().ok())
+    }
+
+    fn system(&self) -> Crs {
+        self.wkt().map(|wkt| Crs::parse(&wkt)).unwrap_or_else(|| geo::system(self))
     }
 
     /// The definition of the coordinate reference system in well-known text.
     pub fn wkt(&self) -> Option<String> {
         self.find("LASF_Projection", 2112).map(text).filter(|wkt| !wkt.is_empty())
-    }
-
-    /// The code of the projected system (key 3072), or else of the geographic one (key 2048).
-    fn epsg(&self) -> Option<String> {
-        let keys = self.find("LASF_Projection", 34735)?;
-        let entries = keys
-            .chunks_exact(8)
-            .skip(1)
-            .map(|entry| [0, 2, 4, 6].map(|at| Fields(&entry[at..]).number::<u16>()));
-        let entries: Vec<[u16; 4]> = entries.collect();
-        let code =
-            |key: u16| entries.iter().find(|e| e[0] == key && e[1] == 0 && e[3] != 32767).map(|e| e[3]);
-        code(3072).or_else(|| code(2048)).map(|code| format!("EPSG:{code}"))
     }
 }

@@ -1,30 +1,38 @@
 //! The pages of a Parquet column, walked over before the decoder sees them: it takes memory for what their headers
-//! claim. Headers are Thrift structures in the compact protocol.
+//! claim, and time for what they unpack to.
 
 use super::page::Page;
+use super::thrift::Thrift;
 use super::unpack;
 use crate::error::{Error, Place};
 use crate::read::{ReadOptions, limit};
 use crate::source::{Shared, Source};
 use ::parquet::basic::Compression;
 use ::parquet::file::metadata::ColumnChunkMetaData;
+use std::io;
 
 /// Bytes of a header beyond which it is not read.
 const MAX_HEADER: u64 = 1 << 16;
-/// Structures inside each other beyond which a header is damaged.
-const DEPTH: u8 = 12;
-/// Stands for the field that a structure is where nothing is asked of it.
-const DEEP: i16 = i16::MIN;
+/// Bytes of a header that are looked at first: most are no longer.
+const USUAL_HEADER: u64 = 1 << 9;
+/// Bytes that a page counts for beside those it unpacks to, for the time that the decoder takes to begin one.
+const PAGE: u64 = 1 << 10;
 /// The least bytes of a value in a dictionary of numbers.
 const LEAST_VALUE: i64 = 4;
 
-/// Checks every page of a column against the bytes that are there, and what it unpacks to against the `room` in memory.
+/// What pages may unpack to: each in memory, and all together, since row groups may share their pages.
+pub(super) struct Room {
+    pub memory: u64,
+    pub total: u64,
+}
+
+/// Checks every page of a column against the bytes that are there, and what it unpacks to against the `room`.
 pub(super) fn check(
     source: &Source,
     options: &ReadOptions,
     shared: &Shared,
     column: &ColumnChunkMetaData,
-    room: u64,
+    room: &mut Room,
 ) -> Result<(), Error> {
     let codec = column.compression();
     if codec == Compression::LZO {
@@ -40,8 +48,9 @@ pub(super) fn check(
     };
     let mut held = 0;
     while at < end {
-        let start = shared.at(at, (end - at).min(MAX_HEADER) as usize).map_err(|e| source.io(e))?;
-        let Some((page, header)) = page(&start) else { return fail(at, "a page without a header".into()) };
+        let Some((page, header)) = header(shared, at, end).map_err(|e| source.io(e))? else {
+            return fail(at, "a page without a header".into());
+        };
         let (Ok(packed), Ok(unpacked)) = (u64::try_from(page.packed), u64::try_from(page.unpacked)) else {
             return fail(at, format!("a page of {} bytes", page.packed));
         };
@@ -53,9 +62,15 @@ pub(super) fn check(
             return fail(at, format!("a dictionary of {} values in {unpacked} bytes", page.dictionary));
         }
         let needed = packed.saturating_add(unpacked).saturating_add(held);
-        if needed > room {
+        if needed > room.memory {
             return Err(limit::beyond(source, options, at, &format!("a page of {unpacked} bytes")));
         }
+        let Some(rest) = room.total.checked_sub(unpacked.saturating_add(PAGE)) else {
+            let what =
+                format!("a page of {unpacked} bytes, with which the pages unpack to more than twice that");
+            return Err(limit::beyond(source, options, at, &what));
+        };
+        room.total = rest;
         if !unpack::ends_in_time(shared, codec, &page, body).map_err(|e| source.io(e))? {
             return fail(at, format!("a page that does not unpack to {unpacked} bytes by {codec}"));
         }
@@ -64,6 +79,17 @@ pub(super) fn check(
         at = next;
     }
     Ok(())
+}
+
+/// The header at a place, and its bytes; `None` if there is none before `end`.
+fn header(shared: &Shared, at: u64, end: u64) -> io::Result<Option<(Page, usize)>> {
+    for most in [USUAL_HEADER, MAX_HEADER] {
+        let found = page(&shared.at(at, (end - at).min(most) as usize)?);
+        if found.is_some() {
+            return Ok(found);
+        }
+    }
+    Ok(None)
 }
 
 /// A header, and its bytes.
@@ -80,91 +106,4 @@ fn page(bytes: &[u8]) -> Option<(Page, usize)> {
         _ => {}
     })?;
     Some((page, bytes.len() - thrift.0.len()))
-}
-
-/// Whether bytes begin with a whole structure, in which everything that is counted takes bytes.
-pub(super) fn is_structure(bytes: &[u8]) -> bool {
-    Thrift(bytes).structure(0, 0, &mut |_, _, _| {}).is_some()
-}
-
-/// What is left of a structure.
-struct Thrift<'a>(&'a [u8]);
-
-impl Thrift<'_> {
-    fn byte(&mut self) -> Option<u8> {
-        let (&byte, rest) = self.0.split_first()?;
-        self.0 = rest;
-        Some(byte)
-    }
-
-    fn skip(&mut self, count: u64) -> Option<()> {
-        self.0 = self.0.get(usize::try_from(count).ok()?..)?;
-        Some(())
-    }
-
-    /// An unsigned number, seven bits a byte.
-    fn varint(&mut self) -> Option<u64> {
-        let mut value = 0;
-        for shift in (0..64).step_by(7) {
-            let byte = self.byte()?;
-            value |= u64::from(byte & 0x7f) << shift;
-            if byte < 0x80 {
-                return Some(value);
-            }
-        }
-        None
-    }
-
-    /// A signed number: zigzag.
-    fn integer(&mut self) -> Option<i64> {
-        let value = self.varint()?;
-        Some((value >> 1) as i64 ^ -((value & 1) as i64))
-    }
-
-    /// Walks over a structure, which is field `outer` of the one around it, handing out its whole numbers and
-    /// booleans.
-    fn structure(&mut self, depth: u8, outer: i16, found: &mut dyn FnMut(i16, i16, i64)) -> Option<()> {
-        let mut id: i16 = 0;
-        loop {
-            let head = self.byte()?;
-            if head == 0 {
-                return Some(());
-            }
-            id = match head >> 4 {
-                0 => i16::try_from(self.integer()?).ok()?,
-                delta => id.checked_add(delta.into())?,
-            };
-            match head & 0xf {
-                // Booleans: the type is the value.
-                kind @ (1 | 2) => found(outer, id, i64::from(kind == 1)),
-                4..=6 => found(outer, id, self.integer()?),
-                kind => self.value(kind, depth, id, found)?,
-            }
-        }
-    }
-
-    /// Walks over a value of any type.
-    fn value(&mut self, kind: u8, depth: u8, id: i16, found: &mut dyn FnMut(i16, i16, i64)) -> Option<()> {
-        match kind {
-            1..=3 => self.skip(1),
-            4..=6 => self.varint().map(|_| ()),
-            7 => self.skip(8),
-            8 => {
-                let length = self.varint()?;
-                self.skip(length)
-            }
-            9 | 10 => {
-                let head = self.byte()?;
-                let count = if head >> 4 == 15 { self.varint()? } else { u64::from(head >> 4) };
-                // The format has no list of booleans, and the decoder passes over any number of them in no bytes.
-                if matches!(head & 0xf, 1 | 2) && count > 0 {
-                    return None;
-                }
-                (0..count).try_for_each(|_| self.value(head & 0xf, depth.checked_add(1)?, DEEP, found))
-            }
-            // Deeper structures (statistics) have fields of their own under the same numbers.
-            12 if depth < DEPTH => self.structure(depth + 1, if depth == 0 { id } else { DEEP }, found),
-            _ => None,
-        }
-    }
 }

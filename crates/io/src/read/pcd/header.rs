@@ -37,6 +37,9 @@ pub(super) struct NamedField {
 /// rather than a feature descriptor.
 const FIELD: u64 = 1 << 10;
 
+/// Times that a name may be in memory at once.
+const NAMES: u64 = 4;
+
 /// No sensible header has a longer line; binary data taken for a header has.
 const MAX_LINE: usize = 1 << 20;
 
@@ -172,7 +175,10 @@ impl Lines {
             return fail(found, "they must be equally many");
         }
         let numbers = counts.iter().fold(0u64, |sum, &count| sum.saturating_add(count));
-        if numbers.saturating_mul(FIELD) > limit::bound(source, options) {
+        // Every number of a field has the name of the field.
+        let named = |(name, &count): (&String, &u64)| count.saturating_mul(NAMES * name.len() as u64);
+        let names = self.names.iter().zip(&counts).map(named).fold(0, u64::saturating_add);
+        if numbers.saturating_mul(FIELD).saturating_add(names) > limit::bound(source, options) {
             return Err(limit::beyond(
                 source,
                 options,

@@ -3,6 +3,7 @@
 use crate::columns::{Endian, Scalar};
 use crate::error::Error;
 use crate::number::{integer, shown, tokens};
+use crate::read::{ReadOptions, limit};
 use crate::source::Source;
 
 /// How rows are stored.
@@ -43,6 +44,17 @@ pub(super) enum Kind {
         count: Scalar,
         item: Scalar,
     },
+}
+
+/// Bytes that a property may take in memory with its column, and times that its name may be there.
+const PROPERTY: u64 = 1 << 9;
+const NAMES: u64 = 4;
+
+impl Header {
+    /// The least bytes of a row of the last element.
+    pub fn row_bytes(&self) -> u64 {
+        self.elements.last().map_or(0, |element| element.least_bytes(self.encoding))
+    }
 }
 
 impl Element {
@@ -89,10 +101,10 @@ fn no_axis(source: &Source, name: &str, what: &str) -> Error {
 }
 
 /// Parses the header, and leaves the source behind its last line.
-pub(super) fn parse(source: &mut Source) -> Result<Header, Error> {
+pub(super) fn parse(source: &mut Source, options: &ReadOptions) -> Result<Header, Error> {
     source.detect_terminator()?;
     source.line()?;
-    let (mut encoding, mut elements) = (None, Vec::new());
+    let (mut encoding, mut elements, mut properties) = (None, Vec::new(), 0);
     loop {
         let Some(line) = source.line()? else {
             return Err(source.malformed_line("the header does not end", "`end_header` is missing"));
@@ -108,7 +120,14 @@ pub(super) fn parse(source: &mut Source) -> Result<Header, Error> {
             [] | [b"comment" | b"obj_info", ..] => {}
             [b"format", name, ..] => encoding = Some(parse_encoding(source, name)?),
             [b"element", name, count] => elements.push(parse_element(source, name, count)?),
-            [b"property", rest @ ..] => add_property(source, &mut elements, rest)?,
+            [b"property", rest @ ..] => {
+                add_property(source, &mut elements, rest)?;
+                properties += PROPERTY + NAMES * line.len() as u64;
+                if properties > limit::bound(source, options) {
+                    let what = "a header whose properties take more memory";
+                    return Err(limit::beyond(source, options, source.offset(), what));
+                }
+            }
             _ => return Err(unknown(source, &line)),
         }
     }
@@ -119,6 +138,10 @@ pub(super) fn parse(source: &mut Source) -> Result<Header, Error> {
         return Err(
             source.malformed_line("the header has no element `vertex`", "there are no points to read")
         );
+    }
+    if elements.iter().filter(|element| element.is_vertex()).count() > 1 {
+        let found = "the header has more than one element `vertex`";
+        return Err(source.malformed_line(found, "which of them are the points cannot be told: leave one"));
     }
     Ok(Header { encoding, elements })
 }

@@ -1,19 +1,17 @@
 //! A network as GeoJSON with 3D coordinates in the frame of the input. RFC 7946 knows longitude and latitude only; the
-//! name of another reference system stands in the member `crs` of the 2008 specification, which GDAL and QGIS read.
+//! URN of another reference system stands in the member `crs` of the 2008 specification, which GDAL and QGIS read; where it
+//! is not known `null` stands there, so that no reader takes the coordinates for degrees.
 
 use super::context::NetworkContext;
-use crate::write::encode::json::{Index, Number, Point, Text};
+use crate::crs;
+use crate::write::encode::json::{Index, Number, Point};
 use lineament::Network;
 use std::io::{self, Write};
 
 /// Writes a `LineString` feature a strip, closed ones ending where they begin, and a `Point` feature a node.
 pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkContext) -> io::Result<()> {
     write!(out, "{{\"type\": \"FeatureCollection\",")?;
-    if let Some(crs) = &context.crs {
-        let name = crs.strip_prefix("EPSG:").map(|code| format!("urn:ogc:def:crs:EPSG::{code}"));
-        let name = Text(name.as_deref().unwrap_or(crs));
-        write!(out, "\n\"crs\": {{\"type\": \"name\", \"properties\": {{\"name\": {name}}}}},")?;
-    }
+    write!(out, "\n{},", crs::member(context.crs.as_deref()))?;
     write!(out, "\n\"features\": [")?;
     let mut separator = "\n";
     for (id, strip) in network.strips.iter().enumerate().filter(|(_, strip)| strip.points.len() > 1) {

@@ -3,6 +3,7 @@
 use super::table::PointTable;
 use crate::columns::{Number, Scalar, each_column, get};
 use lineament::Column;
+use std::collections::BTreeMap;
 
 /// Names that class and score have in every format.
 const TAKEN: [&str; 5] = ["x", "y", "z", "class", "score"];
@@ -10,28 +11,31 @@ const TAKEN: [&str; 5] = ["x", "y", "z", "class", "score"];
 /// Names of all columns after x, y and z, with their types: class, score if there are scores, then the attributes of the
 /// input, renamed where the name is taken.
 pub(super) fn names(table: &PointTable) -> Vec<(String, Scalar)> {
-    let mut used: Vec<String> = TAKEN.map(String::from).into();
+    let mut used: BTreeMap<String, usize> = TAKEN.map(|name| (name.to_string(), 1)).into();
     let mut names = vec![("class".to_string(), Scalar::U8)];
     if !table.scores.is_empty() {
         names.push(("score".into(), Scalar::F32));
     }
     for attribute in &table.cloud.attributes {
-        let name = unique(&attribute.name, &used);
-        names.push((name.clone(), Scalar::of(&attribute.values)));
-        used.push(name);
+        names.push((unique(&attribute.name, &mut used), Scalar::of(&attribute.values)));
     }
     names
 }
 
-/// A name of printable signs without commas that is not yet used.
-fn unique(name: &str, used: &[String]) -> String {
+/// A name of printable signs without commas that is not yet used, whatever the case of its letters: with `input_` before it, and
+/// a number behind it where that is used too. `used` counts how often a name was asked for.
+fn unique(name: &str, used: &mut BTreeMap<String, usize>) -> String {
     let plain = |c: char| if c.is_ascii_graphic() && c != ',' && c != '"' { c } else { '_' };
     let clean: String = name.chars().map(plain).collect();
-    let mut unique = if clean.is_empty() { "unnamed".into() } else { clean };
-    while used.iter().any(|u| u.eq_ignore_ascii_case(&unique)) {
-        unique.insert_str(0, "input_");
+    let clean = if clean.is_empty() { "unnamed".into() } else { clean };
+    let mut found = clean.clone();
+    while used.contains_key(&found.to_ascii_lowercase()) {
+        let times = used.entry(clean.to_ascii_lowercase()).or_insert(1);
+        *times += 1;
+        found = if *times == 2 { format!("input_{clean}") } else { format!("input_{clean}_{}", *times - 1) };
     }
-    unique
+    used.insert(found.to_ascii_lowercase(), 1);
+    found
 }
 
 /// Appends the bytes of value `index` of a column; of 64-bit integers, as double if `wide` is not there.

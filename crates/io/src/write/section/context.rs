@@ -13,6 +13,8 @@ pub struct SectionContext {
     pub input_sha256: Option<String>,
     /// Rows of the input.
     pub input_points: u64,
+    /// The coordinate reference system: `EPSG:` and its code, or its name.
+    pub crs: Option<String>,
     /// The features of the stack of slices; empty if they were not asked for.
     pub stack: Stack,
 }

@@ -1,12 +1,13 @@
 //! Sections as GeoJSON (RFC 7946): a polygon for each outer contour with the holes directly in it, a line for each
-//! open one. Coordinates are those of the input, which the standard takes for longitude, latitude and height: sensible
-//! for slices across z.
+//! open one. Coordinates are those of the input; the member `crs` of the 2008 specification names their system, or is
+//! `null` where it is not known.
 
+use crate::crs;
 use lineament::section::{Contour, Section, Sections};
 use std::io::{self, Write};
 
-pub(super) fn write(out: &mut dyn Write, sections: &Sections) -> io::Result<()> {
-    write!(out, "{{\"type\": \"FeatureCollection\", \"features\": [")?;
+pub(super) fn write(out: &mut dyn Write, sections: &Sections, crs: Option<&str>) -> io::Result<()> {
+    write!(out, "{{\"type\": \"FeatureCollection\", {}, \"features\": [", crs::member(crs))?;
     let mut first = true;
     for section in &sections.sections {
         for (i, contour) in section.contours.iter().enumerate() {

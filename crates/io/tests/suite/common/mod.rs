@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 pub mod copc;
 pub mod e57;
+pub mod e57_raw;
 pub mod gps;
 pub mod las;
 pub mod parquet;

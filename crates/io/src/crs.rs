@@ -1,0 +1,233 @@
+//! Coordinate reference systems: the code of the EPSG register from well-known text (OGC 01-009 and ISO 19162), from names
+//! that stand for one, and how outputs name it.
+
+use crate::number::integer;
+
+/// Codes of the register; those beyond are of private use.
+const CODES: std::ops::RangeInclusive<u64> = 1024..=32766;
+/// Systems whose UTM zones have codes of their own: what their names begin with, the code of zone 0 north, and south.
+const UTM: [(&str, u64, Option<u64>); 3] =
+    [("wgs84", 32600, Some(32700)), ("etrs89", 25800, None), ("nad83", 26900, None)];
+/// Elements of well-known text that are no system themselves but hold one first.
+const AROUND: [&str; 3] = ["BOUNDCRS", "SOURCECRS", "COMPD_CS"];
+
+/// A reference system as an input states it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Crs {
+    /// The code in the EPSG register.
+    pub code: Option<u64>,
+    pub name: Option<String>,
+    pub wkt: Option<String>,
+}
+
+impl Crs {
+    /// From well-known text, a URN, `EPSG:` and a code, or a name.
+    pub fn parse(text: &str) -> Crs {
+        let text = text.trim_matches(|c: char| c == '\0' || c.is_whitespace());
+        if text.is_empty() {
+            return Crs::default();
+        }
+        if let Some(code) = reference(text) {
+            return Crs { code: Some(code), ..Crs::default() };
+        }
+        match Element::parse(text, 0) {
+            Some(element) if !element.children.is_empty() => {
+                let name = element.name().map(String::from);
+                Crs { code: element.code(0), name, wkt: Some(text.into()) }
+            }
+            _ => Crs { code: utm(text), name: Some(text.into()), wkt: None },
+        }
+    }
+
+    /// From the code that GeoTIFF keys give, if it is one of the register.
+    pub fn of_code(code: u64) -> Option<Crs> {
+        CODES.contains(&code).then(|| Crs { code: Some(code), ..Crs::default() })
+    }
+
+    /// `EPSG:` and the code, or the name.
+    pub fn short(&self) -> Option<String> {
+        self.code.map(|code| format!("EPSG:{code}")).or_else(|| self.name.clone())
+    }
+}
+
+/// The UTM zone of a geographic system by its code: the zone as GeoTIFF numbers it (160zz north, 161zz south).
+pub(crate) fn zone(geographic: u64, projection: u64) -> Option<u64> {
+    let (_, north, south) = *UTM.get([4326, 4258, 4269].iter().position(|&code| code == geographic)?)?;
+    match projection {
+        16001..=16060 => Some(north + projection - 16000),
+        16101..=16160 => Some(south? + projection - 16100),
+        _ => None,
+    }
+}
+
+/// The member `crs` of GeoJSON: the URN of the system, or nothing that a reader could take for degrees.
+pub(crate) fn member(crs: Option<&str>) -> String {
+    match crs.and_then(reference) {
+        Some(code) => format!(
+            "\"crs\": {{\"type\": \"name\", \"properties\": {{\"name\": \"urn:ogc:def:crs:EPSG::{code}\"}}}}"
+        ),
+        None => "\"crs\": null".into(),
+    }
+}
+
+/// The code in `EPSG:2180`, a URN or the address of a system.
+pub(crate) fn reference(text: &str) -> Option<u64> {
+    let lower = text.to_ascii_lowercase();
+    let known = [
+        "epsg:",
+        "urn:ogc:def:crs:epsg:",
+        "http://www.opengis.net/def/crs/epsg/",
+        "https://www.opengis.net/def/crs/epsg/",
+    ];
+    let rest = known.iter().find_map(|start| lower.strip_prefix(start))?;
+    // A version may stand before the code.
+    let last = rest.rsplit([':', '/']).next()?;
+    integer(last.trim().as_bytes()).filter(|code| CODES.contains(code))
+}
+
+/// The code of a UTM zone by the name of its system, as OGC and ESRI spell it.
+fn utm(name: &str) -> Option<u64> {
+    let plain: String =
+        name.chars().filter(char::is_ascii_alphanumeric).collect::<String>().to_ascii_lowercase();
+    let plain = plain
+        .replacen("wgs1984", "wgs84", 1)
+        .replacen("etrs1989", "etrs89", 1)
+        .replacen("nad1983", "nad83", 1);
+    let (start, zone) = plain.split_once("utmzone")?;
+    let (_, north, south) = UTM.into_iter().find(|(system, ..)| *system == start)?;
+    let first = if zone.ends_with('s') { south? } else { north };
+    let number = integer(zone.strip_suffix(['n', 's'])?.as_bytes()).filter(|zone| (1..=60).contains(zone))?;
+    Some(first + number)
+}
+
+/// An element of well-known text: `KEYWORD[...]`.
+struct Element<'a> {
+    keyword: &'a str,
+    children: Vec<Part<'a>>,
+}
+
+enum Part<'a> {
+    Element(Element<'a>),
+    /// Text in quotes, a number or a word.
+    Value(&'a str),
+}
+
+/// Elements inside each other beyond which text is none.
+const DEEPEST: usize = 16;
+
+impl<'a> Element<'a> {
+    fn parse(text: &'a str, depth: usize) -> Option<Element<'a>> {
+        let open = text.find(['[', '('])?;
+        let inner = text[open + 1..].trim_end().strip_suffix([']', ')'])?;
+        let keyword = text[..open].trim();
+        if depth > DEEPEST || !keyword.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_') {
+            return None;
+        }
+        let part = |part: &'a str| match Element::parse(part, depth + 1) {
+            Some(element) if !part.starts_with('"') => Part::Element(element),
+            _ => Part::Value(part.trim_matches('"')),
+        };
+        Some(Element { keyword, children: split(inner).map(part).collect() })
+    }
+
+    fn name(&self) -> Option<&'a str> {
+        match self.children.first() {
+            Some(Part::Value(name)) => Some(name),
+            Some(Part::Element(element)) => element.name(),
+            None => None,
+        }
+    }
+
+    fn elements(&self) -> impl Iterator<Item = &Element<'a>> {
+        self.children.iter().filter_map(|part| if let Part::Element(e) = part { Some(e) } else { None })
+    }
+
+    /// The code of this system, or of the first one in it where it is none itself: of a compound one the horizontal system.
+    fn code(&self, depth: usize) -> Option<u64> {
+        let own =
+            self.elements().find(|e| ["AUTHORITY", "ID"].iter().any(|k| e.keyword.eq_ignore_ascii_case(k)));
+        let code = own.and_then(|own| match own.children.as_slice() {
+            [Part::Value(register), Part::Value(code), ..] if register.eq_ignore_ascii_case("EPSG") => {
+                integer(code.as_bytes())
+            }
+            _ => None,
+        });
+        let holds = AROUND.iter().any(|k| self.keyword.eq_ignore_ascii_case(k))
+            || self.keyword.eq_ignore_ascii_case("COMPOUNDCRS");
+        let inner = || self.elements().next().filter(|_| holds && depth < DEEPEST)?.code(depth + 1);
+        let named = || self.name().and_then(utm);
+        code.filter(|code| CODES.contains(code)).or_else(inner).or_else(named)
+    }
+}
+
+/// The parts between commas, those in quotes and in brackets apart.
+fn split(text: &str) -> impl Iterator<Item = &str> {
+    let (mut depth, mut quoted) = (0i32, false);
+    text.split(move |c: char| {
+        match c {
+            '"' => quoted = !quoted,
+            '[' | '(' if !quoted => depth += 1,
+            ']' | ')' if !quoted => depth -= 1,
+            _ => {}
+        }
+        c == ',' && !quoted && depth == 0
+    })
+    .map(str::trim)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CS92: &str = "PROJCS[\"ETRF2000-PL / CS92\",GEOGCS[\"ETRF2000-PL\",DATUM[\"x, y[1]\",SPHEROID[\"GRS 1980\",6378137,\
+        298.257222101,AUTHORITY[\"EPSG\",\"7019\"]]],AUTHORITY[\"EPSG\",\"9702\"]],UNIT[\"metre\",1],AUTHORITY[\"EPSG\",\"2180\"]]";
+
+    #[test]
+    fn the_code_is_that_of_the_outer_system() {
+        let crs = Crs::parse(CS92);
+        assert_eq!((crs.code, crs.name.as_deref()), (Some(2180), Some("ETRF2000-PL / CS92")));
+        let compound = format!("COMPD_CS[\"a + b\",{CS92},VERT_CS[\"b\",AUTHORITY[\"EPSG\",\"5773\"]]]");
+        assert_eq!(Crs::parse(&compound).code, Some(2180));
+        let own = compound.replace("]]]", "]],AUTHORITY[\"EPSG\",\"9656\"]]");
+        assert_eq!(Crs::parse(&own).code, Some(9656));
+        let second = "PROJCRS[\"c\",BASEGEOGCRS[\"d\",ID[\"EPSG\",4258]],CONVERSION[\"e\",ID[\"EPSG\",16032]],ID[\"EPSG\",25832]]";
+        assert_eq!(Crs::parse(second).code, Some(25832));
+        let bound = format!("BOUNDCRS[SOURCECRS[{second}],TARGETCRS[GEOGCRS[\"f\",ID[\"EPSG\",4326]]]]");
+        assert_eq!(Crs::parse(&bound).code, Some(25832));
+    }
+
+    #[test]
+    fn text_without_a_code_has_none_but_for_utm_zones() {
+        assert_eq!(
+            Crs::parse("PROJCS[\"site\",GEOGCS[\"g\",AUTHORITY[\"EPSG\",\"4326\"]],UNIT[\"m\",1]]").code,
+            None
+        );
+        assert_eq!(Crs::parse("LOCAL_CS[\"site\"]").short().as_deref(), Some("site"));
+        for (name, code) in [
+            ("WGS_1984_UTM_Zone_33N", 32633),
+            ("WGS 84 / UTM zone 19S", 32719),
+            ("ETRS89 / UTM zone 32N", 25832),
+            ("NAD_1983_UTM_Zone_10N", 26910),
+        ] {
+            assert_eq!(Crs::parse(&format!("PROJCS[\"{name}\",UNIT[\"m\",1]]")).code, Some(code), "{name}");
+        }
+        assert_eq!(zone(4258, 16032), Some(25832));
+        assert_eq!(zone(4258, 16132), None);
+    }
+
+    #[test]
+    fn references_to_the_register_are_codes() {
+        for text in [
+            "EPSG:25832",
+            "urn:ogc:def:crs:EPSG::25832",
+            "urn:ogc:def:crs:EPSG:9.1:25832",
+            "http://www.opengis.net/def/crs/EPSG/0/25832",
+        ] {
+            assert_eq!(reference(text), Some(25832), "{text}");
+        }
+        for text in ["EPSG:", "EPSG:99999", "ESRI:102100", "25832"] {
+            assert_eq!(reference(text), None, "{text}");
+        }
+        assert_eq!(member(Some("site")), "\"crs\": null");
+    }
+}
