@@ -66,7 +66,7 @@ fn pipeline(
     let cloud = prepare(world, params, &mut clock)?;
     let mut measure = clock.run(Stage::Detect, || detect(&cloud))?;
     let (mut pattern, clusters) = clock.run(Stage::Link, || method::link(&cloud, &mut measure, params));
-    let mut network = clock.run(Stage::Recover, || recover(&pattern, cloud.resolution, &params.spline));
+    let mut network = clock.run(Stage::Recover, || recover(&pattern, cloud.scales(), &params.spline));
     let patches = method::wants_patches(params).then(|| {
         clock.run(Stage::Patches, || method::patches(&cloud, &measure, &mut pattern, &mut network, params))
     });
@@ -78,10 +78,22 @@ fn pipeline(
         notes: method::notes(&cloud, clusters.as_ref(), params),
         ..cloud.report()
     };
-    let Prepared { frame, source, canonical, .. } = cloud;
+    let Prepared { frame, source, canonical, clutter, .. } = cloud;
     let (network, stay) = to_world(network, &frame, &source);
     let patches = patches.map(|p| p.placed(&frame).of_strips(&stay));
-    Ok(Extraction { report, frame, source, canonical, measure, class, pattern, clusters, network, patches })
+    Ok(Extraction {
+        report,
+        frame,
+        source,
+        canonical,
+        clutter,
+        measure,
+        class,
+        pattern,
+        clusters,
+        network,
+        patches,
+    })
 }
 
 /// Everything that [`extract`] found, stage by stage.
@@ -93,8 +105,10 @@ pub struct Extraction {
     pub frame: Frame,
     /// `(M)` for each point kept, in canonical order, its index in the input.
     pub source: Vec<u32>,
-    /// `(N)` for each point of the input its canonical index; `u32::MAX` if it was dropped.
+    /// `(N)` for each point of the input its canonical index; `u32::MAX` if it was dropped or is clutter.
     pub canonical: Vec<u32>,
+    /// Points of the input that lie on no surface, ascending.
+    pub clutter: Vec<u32>,
     /// What the detector said of every point kept, canonical order, local frame.
     pub measure: Measure,
     /// `(M)` what each point kept is, canonical order: by the detector, or from the network.
@@ -112,15 +126,18 @@ pub struct Extraction {
 impl Extraction {
     /// `(N)` the class of every point of the input, in its order; dropped points are smooth.
     pub fn classes(&self) -> Vec<Class> {
-        self.canonical.iter().map(|&c| self.class.get(c as usize).copied().unwrap_or_default()).collect()
+        let of = |&c: &u32| self.class.get(c as usize).copied().unwrap_or_default();
+        let mut classes: Vec<Class> = self.canonical.iter().map(of).collect();
+        self.clutter.iter().for_each(|&i| classes[i as usize] = Class::Clutter);
+        classes
     }
 
-    /// `(N)` the score of every point of the input, in its order, 0 to 1; NaN for dropped points.
+    /// `(N)` the score of every point of the input, in its order, 0 to 1; NaN for dropped points, zero for clutter.
     pub fn scores(&self) -> Vec<f32> {
-        self.canonical
-            .iter()
-            .map(|&c| self.measure.score.get(c as usize).copied().unwrap_or(f32::NAN))
-            .collect()
+        let of = |&c: &u32| self.measure.score.get(c as usize).copied().unwrap_or(f32::NAN);
+        let mut scores: Vec<f32> = self.canonical.iter().map(of).collect();
+        self.clutter.iter().for_each(|&i| scores[i as usize] = 0.0);
+        scores
     }
 
     /// `(N)` the patch of every point of the input, in its order; [`NO_PATCH`] for none, and where none were looked for.

@@ -98,6 +98,7 @@ mod report;
 mod resolution;
 pub mod section;
 pub mod shapes;
+pub mod surface;
 
 pub use cloud::{Attribute, Cloud, Column};
 pub use detect::segments::{Segmentation, Segmented};

@@ -68,6 +68,8 @@ pub enum Class {
     Border = 2,
     /// Where lines meet, end or turn.
     Corner = 3,
+    /// On no surface: leaves, stray returns, veils between surfaces.
+    Clutter = 4,
 }
 
 impl Measure {

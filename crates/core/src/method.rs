@@ -18,7 +18,7 @@ use crate::recover::{recover, take_back};
 pub(crate) fn detect(cloud: &Prepared, params: &Params) -> Measure {
     let Prepared { positions, graph, resolution, .. } = cloud;
     match params.method {
-        Method::Penalty => penalty::penalty(positions, graph, *resolution, &params.penalty),
+        Method::Penalty => penalty::penalty(positions, graph, cloud.scales(), &params.penalty),
         Method::Segments => segments::detect(cloud, params),
         Method::Projection => projection::candidates::measure(positions, graph, *resolution, params),
     }
@@ -33,7 +33,7 @@ pub(crate) fn link(
     match params.method {
         Method::Penalty | Method::Projection => {
             let rule = cycle_rule(cloud, params);
-            (link::link(&cloud.graph, measure, cloud.resolution, params, rule), None)
+            (link::link(&cloud.graph, measure, cloud.scales(), params, rule), None)
         }
         Method::Segments => {
             let (pattern, stages) = segments::link(cloud, measure, params, cycle_rule(cloud, params));
@@ -93,6 +93,6 @@ pub(crate) fn notes(cloud: &Prepared, clusters: Option<&ClusterStages>, params: 
     }
 }
 
-fn cycle_rule(cloud: &Prepared, params: &Params) -> CycleRule {
-    CycleRule::new(&params.spanning, params.penalty.form, cloud.positions.len(), cloud.resolution)
+fn cycle_rule<'a>(cloud: &'a Prepared, params: &Params) -> CycleRule<'a> {
+    CycleRule::new(&params.spanning, params.penalty.form, cloud.positions.len(), cloud.scales())
 }

@@ -26,6 +26,13 @@ sections! {
         k: usize = 12, "points", 4.0..=64.0;
     }
 
+    /// Surface and clutter.
+    surface: SurfaceParams {
+        /// What becomes of points that lie on no surface, such as leaves, stray returns and veils between surfaces: `leave-out` has no
+        /// line follow them, `keep` treats them as surface.
+        clutter: Clutter = Clutter::LeaveOut, "", 0.0..=0.0;
+    }
+
     /// Gumhold's penalty functions (Gumhold 2001, section 3.1).
     penalty: PenaltyParams {
         /// `robust` measures curvature against the noise and a reference fold; `paper` is equations 4 to 9 as printed,
@@ -193,6 +200,17 @@ sections! {
         missed: usize = 6, "slices", 0.0..=1000.0;
     }
 }
+
+/// What becomes of points that lie on no surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Clutter {
+    /// They are classified, and no line follows them.
+    LeaveOut,
+    /// They are treated as surface.
+    Keep,
+}
+
+value::choices! { Clutter { LeaveOut = "leave-out", Keep = "keep" } }
 
 /// Which form of Gumhold's penalties is used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,9 +5,10 @@ use crate::error::Error;
 use crate::frame::{Frame, Localised};
 use crate::math::vec3::{cross, norm, sub};
 use crate::neighbors::{Neighbors, all_nearest, riemannian};
-use crate::params::{Auto, Params};
+use crate::params::{Auto, Clutter, Method, Params, PenaltyForm};
 use crate::report::{Clock, Report, Stage};
 use crate::resolution::Resolution;
+use crate::surface::{self, CLUTTER, Scales, evened, spacings};
 
 /// Fewest distinct points that can lie on a surface.
 const SURFACE_POINTS: usize = 4;
@@ -18,16 +19,20 @@ const COLLINEAR: f64 = 1e-9;
 pub(crate) struct Prepared {
     /// World frame to local frame.
     pub(crate) frame: Frame,
-    /// `(M, 3)` positions.
+    /// `(M, 3)` positions of the points on surfaces.
     pub(crate) positions: Vec<[f64; 3]>,
     /// `(M)` for each point its index in the input.
     pub(crate) source: Vec<u32>,
-    /// `(N)` for each point of the input its canonical index; `u32::MAX` if it was dropped.
+    /// `(N)` for each point of the input its canonical index; `u32::MAX` if it was dropped or is clutter.
     pub(crate) canonical: Vec<u32>,
     /// The Riemannian graph.
     pub(crate) graph: Neighbors,
     /// Spacing and noise, the noise as given where a parameter gives it.
     pub(crate) resolution: Resolution,
+    /// Points of the input that lie on no surface, ascending.
+    pub(crate) clutter: Vec<u32>,
+    /// `(M)` the spacing at each point; empty where the mean stands for all.
+    spacing: Vec<f32>,
     dropped: usize,
     merged: usize,
 }
@@ -37,24 +42,88 @@ pub(crate) struct Prepared {
 /// # Errors
 /// [`Error::TooFewPoints`], [`Error::Collinear`], [`Error::Extent`] or [`Error::TooManyPoints`].
 pub(crate) fn prepare(world: &Cloud, params: &Params, clock: &mut Clock) -> Result<Prepared, Error> {
-    let (canonical, local) =
+    let (mut canonical, local) =
         clock.run(Stage::Localise, || Frame::localise(world).map(|local| (local.canonical(), local)))?;
     let merged = local.merged();
-    let Localised { frame, positions, source, dropped, .. } = local;
+    let Localised { frame, mut positions, mut source, dropped, .. } = local;
     refuse_degenerate(world.len(), &positions)?;
-    let (resolution, graph) = clock.run(Stage::Neighbors, || {
-        let nearest = all_nearest(&positions, params.neighbors.k);
-        let graph = riemannian::graph(&positions, &nearest);
-        (Resolution::estimate(&positions, &nearest, &graph), graph)
-    });
+    let mut joined = clock.run(Stage::Neighbors, || Joined::new(&positions, params));
+    let mut clutter = Vec::new();
+    if params.surface.clutter == Clutter::LeaveOut {
+        clock.run(Stage::Surface, || {
+            let stands = surface::standing(&positions, &joined.nearest, joined.resolution);
+            if !stands.is_empty() {
+                clutter = take_out(&stands, &mut positions, &mut source, &mut canonical);
+                joined = Joined::new(&positions, params);
+            }
+        });
+    }
+    let Joined { nearest, graph, resolution } = joined;
     let resolution = match params.penalty.noise_spacings {
         Auto::Given(ratio) => Resolution { noise: ratio * resolution.spacing, ..resolution },
         Auto::Auto => resolution,
     };
-    Ok(Prepared { frame, positions, source, canonical, graph, resolution, dropped, merged })
+    let own = params.method == Method::Penalty && params.penalty.form == PenaltyForm::Robust;
+    let spacing = if own { evened(&spacings(&positions, &nearest), resolution) } else { Vec::new() };
+    Ok(Prepared { frame, positions, source, canonical, graph, resolution, clutter, spacing, dropped, merged })
+}
+
+/// Points joined to a graph, with their resolution.
+struct Joined {
+    nearest: Neighbors,
+    graph: Neighbors,
+    resolution: Resolution,
+}
+
+impl Joined {
+    fn new(positions: &[[f64; 3]], params: &Params) -> Joined {
+        let nearest = all_nearest(positions, params.neighbors.k);
+        let graph = riemannian::graph(positions, &nearest);
+        let resolution = Resolution::estimate(positions, &nearest, &graph);
+        Joined { nearest, graph, resolution }
+    }
+}
+
+/// Takes the points that do not stand for themselves out of the positions and sources, and has the canonical indices lead to those that
+/// stand for them; returns which of the input are clutter, ascending.
+fn take_out(
+    stands: &[u32],
+    positions: &mut Vec<[f64; 3]>,
+    source: &mut Vec<u32>,
+    canonical: &mut [u32],
+) -> Vec<u32> {
+    let stays = |i: usize| stands[i] as usize == i;
+    let mut kept = 0;
+    let number: Vec<u32> = (0..stands.len())
+        .map(|i| {
+            kept += u32::from(stays(i));
+            kept.wrapping_sub(1)
+        })
+        .collect();
+    let mut clutter = Vec::new();
+    for (i, place) in canonical.iter_mut().enumerate().filter(|(_, c)| **c != u32::MAX) {
+        let stand = stands[*place as usize];
+        *place = number.get(stand as usize).copied().unwrap_or(u32::MAX);
+        if stand == CLUTTER {
+            clutter.push(i as u32);
+        }
+    }
+    let keep = |i: &mut usize| {
+        *i += 1;
+        stays(*i - 1)
+    };
+    let (mut p, mut s) = (0, 0);
+    positions.retain(|_| keep(&mut p));
+    source.retain(|_| keep(&mut s));
+    clutter
 }
 
 impl Prepared {
+    /// Spacing and noise at every point.
+    pub(crate) fn scales(&self) -> Scales<'_> {
+        Scales::new(self.resolution, &self.spacing)
+    }
+
     /// Counts and estimates; stages, settings and notes are still empty.
     pub(crate) fn report(&self) -> Report {
         Report {
@@ -62,6 +131,7 @@ impl Prepared {
             dropped: self.dropped,
             merged: self.merged,
             points: self.positions.len(),
+            clutter: self.clutter.len(),
             spacing: self.frame.length_to_world(self.resolution.spacing),
             noise: self.frame.length_to_world(self.resolution.noise),
             ..Report::default()

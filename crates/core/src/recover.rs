@@ -12,19 +12,20 @@ pub use world::to_world;
 use crate::network::{Network, Node, NodeKind, StripKind};
 use crate::params::SplineParams;
 use crate::pattern::{LineGraph, Pattern, paths};
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 
 /// Strips and nodes of a pattern, with smooth curves (Gumhold 2001, section 4, the simple solution); local frame, sources as
 /// canonical indices.
-pub fn recover(pattern: &Pattern, resolution: Resolution, params: &SplineParams) -> Network {
+pub fn recover<'a>(pattern: &Pattern, scales: impl Into<Scales<'a>>, params: &SplineParams) -> Network {
+    let scales = scales.into();
     let mut network = Network::default();
-    let met = |lines| nodes::meet(lines, paths(lines), resolution);
+    let met = |lines| nodes::meet(lines, paths(lines), scales);
     let (mut crease, border) = (met(&pattern.crease), met(&pattern.border));
-    nodes::agree((&pattern.crease, &mut crease), (&pattern.border, &border), resolution);
+    nodes::agree((&pattern.crease, &mut crease), (&pattern.border, &border), scales);
     for (kind, meeting) in [(StripKind::Crease, crease), (StripKind::Border, border)] {
-        append(&mut network, kind, pattern.of(kind), meeting, resolution, params);
+        append(&mut network, kind, pattern.of(kind), meeting, scales, params);
     }
-    tidy::tidy(&mut network, params.stub_spacings * resolution.unit());
+    tidy::tidy(&mut network, params.stub_spacings, scales);
     network
 }
 
@@ -33,7 +34,7 @@ fn append(
     kind: StripKind,
     lines: &LineGraph,
     meeting: nodes::Meeting,
-    resolution: Resolution,
+    scales: Scales,
     params: &SplineParams,
 ) {
     let nodes::Meeting { paths, clusters, .. } = meeting;
@@ -48,7 +49,7 @@ fn append(
     }
     for path in paths {
         let ends = path.ends.map(|[a, b]| [first + a, first + b]);
-        network.strips.push(spline::strip(network, kind, lines, &path, ends, resolution, params));
+        network.strips.push(spline::strip(network, kind, lines, &path, ends, scales, params));
     }
 }
 

@@ -13,6 +13,8 @@ pub struct Report {
     pub merged: usize,
     /// Points kept.
     pub points: usize,
+    /// Points left out because they lie on no surface.
+    pub clutter: usize,
     /// Mean distance to the six nearest neighbours, corrected for noise; unit of the input.
     pub spacing: f64,
     /// Standard deviation of the noise along the surface normal; unit of the input.
@@ -32,6 +34,8 @@ pub enum Stage {
     Localise,
     /// Nearest neighbours and the neighbour graph.
     Neighbors,
+    /// Surface told from clutter.
+    Surface,
     /// What every point says of lines.
     Detect,
     /// Patterns.
@@ -48,6 +52,7 @@ impl Stage {
         match self {
             Stage::Localise => "localise",
             Stage::Neighbors => "neighbors",
+            Stage::Surface => "surface",
             Stage::Detect => "detect",
             Stage::Link => "link",
             Stage::Recover => "recover",

@@ -10,6 +10,7 @@ pub(crate) mod border;
 pub(crate) mod consensus;
 pub(crate) mod crease;
 pub(crate) mod fold;
+pub(crate) mod hops;
 pub(crate) mod normals;
 pub(crate) mod open_angle;
 pub(crate) mod pair;

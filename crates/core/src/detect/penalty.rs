@@ -6,10 +6,12 @@
 mod as_printed;
 mod robust;
 
+use crate::detect::evidence::hops::hops;
 use crate::measure::{Measure, Penalties};
 use crate::neighbors::{Neighbors, mean_distance};
 use crate::params::{PenaltyForm, PenaltyParams};
 use crate::resolution::Resolution;
+use crate::surface::Scales;
 use rayon::prelude::*;
 
 /// The values that the parameters left to the data.
@@ -25,25 +27,15 @@ pub struct Derived {
 /// up to five with much; section 3.2: alpha from 0.5 down to 0.2).
 pub fn derive(params: &PenaltyParams, resolution: Resolution) -> Derived {
     let ratio = resolution.noise / resolution.spacing;
-    let hops = params.hops.or(|| match ratio {
-        r if r < 0.15 => 1,
-        r if r < 0.6 => 2,
-        _ => 3,
-    });
     let alpha = params.alpha.or(|| (0.5 - 0.6 * (ratio - 0.05)).clamp(0.2, 0.5));
-    Derived { hops, alpha }
+    Derived { hops: hops(params.hops, resolution), alpha }
 }
 
 /// The penalties of all points. `points` in canonical order, local frame; `graph` is the Riemannian graph.
-pub fn penalty(
-    points: &[[f64; 3]],
-    graph: &Neighbors,
-    resolution: Resolution,
-    params: &PenaltyParams,
-) -> Measure {
-    let derived = derive(params, resolution);
+pub fn penalty(points: &[[f64; 3]], graph: &Neighbors, scales: Scales, params: &PenaltyParams) -> Measure {
+    let derived = derive(params, scales.mean);
     match params.form {
-        PenaltyForm::Robust => robust::penalties(points, graph, resolution, params, derived),
+        PenaltyForm::Robust => robust::penalties(points, graph, scales, params, derived),
         PenaltyForm::Paper => as_printed::penalties(points, graph, params, derived),
     }
 }
@@ -57,7 +49,7 @@ pub fn borders(
 ) -> Penalties {
     let derived = derive(params, resolution);
     match params.form {
-        PenaltyForm::Robust => robust::borders(points, graph, resolution, params, derived),
+        PenaltyForm::Robust => robust::borders(points, graph, resolution.into(), params),
         PenaltyForm::Paper => as_printed::borders(points, graph, params, derived),
     }
 }

@@ -7,7 +7,7 @@ use crate::neighbors::Neighbors;
 use crate::network::StripKind;
 use crate::params::{Params, PenaltyForm, RepairParams};
 use crate::pattern::{LineGraph, Pattern};
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 
 /// Graph distance of border candidates that an edge may join in the robust form. Only the outermost row of points sees a
 /// border, and its points are often farther apart than neighbours in the graph.
@@ -17,14 +17,14 @@ const ROBUST_BORDER_HOPS: usize = 2;
 pub(crate) fn link(
     graph: &Neighbors,
     measure: &Measure,
-    resolution: Resolution,
+    scales: Scales,
     params: &Params,
     rule: CycleRule,
 ) -> Pattern {
     let Params { spanning, repair, .. } = params;
     let rules = LineRules { tau: spanning.tau, cycle: rule, repair };
     let lines = |wanted: bool, kind: StripKind, penalties: &Penalties| match wanted {
-        true => lines_of(graph, &measure.density, penalties, resolution, rules, kind),
+        true => lines_of(graph, &measure.density, penalties, scales, rules, kind),
         false => LineGraph::default(),
     };
     let mut pattern = Pattern {
@@ -33,7 +33,7 @@ pub(crate) fn link(
     };
     match rule.form {
         PenaltyForm::Paper => {}
-        PenaltyForm::Robust => dock(&mut pattern, resolution),
+        PenaltyForm::Robust => dock(&mut pattern, scales),
     }
     pattern
 }
@@ -43,7 +43,7 @@ pub(crate) fn link(
 pub(super) struct LineRules<'a> {
     /// Bound of the penalty share of an edge.
     pub(super) tau: f64,
-    pub(super) cycle: CycleRule,
+    pub(super) cycle: CycleRule<'a>,
     pub(super) repair: &'a RepairParams,
 }
 
@@ -52,7 +52,7 @@ pub(super) fn lines_of(
     graph: &Neighbors,
     density: &[f32],
     penalties: &Penalties,
-    resolution: Resolution,
+    scales: Scales,
     LineRules { tau, cycle: rule, repair: params }: LineRules,
     kind: StripKind,
 ) -> LineGraph {
@@ -60,12 +60,12 @@ pub(super) fn lines_of(
         (StripKind::Border, PenaltyForm::Robust) => ROBUST_BORDER_HOPS,
         _ => 1,
     };
-    let edges = candidate_edges(graph, density, penalties, resolution, tau, hops);
-    let mut lines = minimum_spanning_graph(penalties, &edges, resolution, rule);
+    let edges = candidate_edges(graph, density, penalties, scales, tau, hops);
+    let mut lines = minimum_spanning_graph(penalties, &edges, scales, rule);
     prune(&mut lines, rule);
     match rule.form {
         PenaltyForm::Paper => {}
-        PenaltyForm::Robust => repair(&mut lines, kind, resolution, rule, params),
+        PenaltyForm::Robust => repair(&mut lines, kind, scales, rule, params),
     }
     lines
 }

@@ -21,7 +21,7 @@ use super::spanning::{CycleRule, prune};
 use crate::network::StripKind;
 use crate::params::RepairParams;
 use crate::pattern::LineGraph;
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 
 /// Once ends have been led on, branches this many times as long as before are spurs: a line has found its other end.
 const SPURS: f64 = 1.6;
@@ -30,14 +30,14 @@ const SPURS: f64 = 1.6;
 pub(super) fn repair(
     lines: &mut LineGraph,
     kind: StripKind,
-    resolution: Resolution,
+    scales: Scales,
     rule: CycleRule,
     params: &RepairParams,
 ) {
-    remove_rungs(lines, resolution, params);
-    judge(lines, resolution, rule, params);
-    bridge(lines, kind, resolution, params);
+    remove_rungs(lines, scales, params);
+    judge(lines, scales, rule, params);
+    bridge(lines, kind, scales, params);
     prune(lines, CycleRule { rho: SPURS * rule.rho, ..rule });
-    remove_rungs(lines, resolution, params);
-    corners(lines, kind, resolution, params);
+    remove_rungs(lines, scales, params);
+    corners(lines, kind, scales, params);
 }

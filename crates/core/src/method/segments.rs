@@ -27,7 +27,7 @@ pub(super) fn detect(cloud: &Prepared, params: &Params) -> Measure {
             border: penalty::borders(positions, graph, *resolution, &params.penalty),
             ..Measure::default()
         },
-        SegmentForm::Robust => penalty::penalty(positions, graph, *resolution, &params.penalty),
+        SegmentForm::Robust => penalty::penalty(positions, graph, cloud.scales(), &params.penalty),
     }
 }
 

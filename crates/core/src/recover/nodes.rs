@@ -10,7 +10,7 @@ use crate::math::union_find::UnionFind;
 use crate::math::vec3::{add_scaled, distance, scale};
 use crate::neighbors::Index;
 use crate::pattern::{LineGraph, Path};
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 
 /// Strips between two junctions or corners up to this many spacings long are taken for one.
 const CONTRACTED: f64 = 3.0;
@@ -39,9 +39,9 @@ pub struct Meeting {
 }
 
 /// Contracts short strips and numbers the nodes.
-pub fn meet(lines: &LineGraph, paths: Vec<Path>, resolution: Resolution) -> Meeting {
+pub fn meet(lines: &LineGraph, paths: Vec<Path>, scales: Scales) -> Meeting {
     let mut sets = UnionFind::new(lines.edges.len());
-    let short: Vec<bool> = paths.iter().map(|p| is_short(lines, p, resolution)).collect();
+    let short: Vec<bool> = paths.iter().map(|p| is_short(lines, p, scales)).collect();
     for (path, _) in paths.iter().zip(&short).filter(|(_, s)| **s) {
         if let Some([a, b]) = path.ends {
             sets.union(a, b);
@@ -75,7 +75,7 @@ pub fn meet(lines: &LineGraph, paths: Vec<Path>, resolution: Resolution) -> Meet
 ///
 /// What ends on a border has a vertex at the place of one of the border's (`link/dock.rs`); the mean of several such
 /// vertices is another place.
-pub fn agree(crease: (&LineGraph, &mut Meeting), border: (&LineGraph, &Meeting), resolution: Resolution) {
+pub fn agree(crease: (&LineGraph, &mut Meeting), border: (&LineGraph, &Meeting), scales: Scales) {
     let bits = |lines: &LineGraph, v: u32| lines.positions[v as usize].map(|x| (x + 0.0).to_bits());
     let places: BTreeMap<[u64; 3], [f64; 3]> = border
         .1
@@ -89,21 +89,22 @@ pub fn agree(crease: (&LineGraph, &mut Meeting), border: (&LineGraph, &Meeting),
             meeting.clusters[g as usize].position = place;
         }
     }
-    land(lines, meeting, border.1, BESIDE_NODE * resolution.unit());
+    land(lines, meeting, border.1, scales);
     let clusters = &meeting.clusters;
     meeting.paths.retain(|path| {
         let Some([a, b]) = path.ends else { return true };
         clusters[a as usize].position != clusters[b as usize].position
-            || length(lines, path) > CONTRACTED * resolution.unit()
+            || length(lines, path, scales) > CONTRACTED
     });
 }
 
-/// Puts the ends of single creases on the node of a border that is at most `near` away.
-fn land(lines: &LineGraph, crease: &mut Meeting, border: &Meeting, near: f64) {
+/// Puts the ends of single creases on the node of a border that is near.
+fn land(lines: &LineGraph, crease: &mut Meeting, border: &Meeting, scales: Scales) {
     let places: Vec<[f64; 3]> = border.clusters.iter().map(|c| c.position).collect();
     let index = Index::build(&places);
     let mut found = Vec::new();
     for cluster in crease.clusters.iter_mut().filter(|c| lines.edges[c.vertex as usize].len() == 1) {
+        let near = BESIDE_NODE * scales.unit(lines.points[cluster.vertex as usize]);
         index.within(cluster.position, near, &mut found);
         if let Some(nearest) = found.first() {
             cluster.position = places[nearest.index as usize];
@@ -111,17 +112,20 @@ fn land(lines: &LineGraph, crease: &mut Meeting, border: &Meeting, near: f64) {
     }
 }
 
-/// Length of a path along its vertices.
-fn length(lines: &LineGraph, path: &Path) -> f64 {
-    let at = |v: u32| lines.positions[v as usize];
-    path.vertices.windows(2).map(|w| distance(at(w[0]), at(w[1]))).sum()
+/// Length of a path along its vertices, spacings.
+fn length(lines: &LineGraph, path: &Path, scales: Scales) -> f64 {
+    let edge = |w: &[u32]| {
+        let [a, b] = [w[0] as usize, w[1] as usize];
+        distance(lines.positions[a], lines.positions[b]) / scales.between(lines.points[a], lines.points[b])
+    };
+    path.vertices.windows(2).map(edge).sum()
 }
 
 /// Whether the strip lies between two nodes that other strips meet too, and is too short to be one.
-fn is_short(lines: &LineGraph, path: &Path, resolution: Resolution) -> bool {
+fn is_short(lines: &LineGraph, path: &Path, scales: Scales) -> bool {
     let Some([a, b]) = path.ends else { return false };
     let junctions = lines.edges[a as usize].len() > 1 && lines.edges[b as usize].len() > 1;
-    junctions && length(lines, path) <= CONTRACTED * resolution.unit()
+    junctions && length(lines, path, scales) <= CONTRACTED
 }
 
 /// The mean of the vertices, those that know no preferred direction counting most.

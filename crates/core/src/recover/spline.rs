@@ -6,6 +6,7 @@ use crate::network::{Network, Strip, StripKind};
 use crate::params::SplineParams;
 use crate::pattern::{LineGraph, Path};
 use crate::resolution::Resolution;
+use crate::surface::Scales;
 
 /// Greatest number of points written for a span of a curve: enough to follow any cubic, and no more where points lie far apart.
 const SPAN_POINTS: usize = 64;
@@ -16,6 +17,13 @@ fn span(params: &SplineParams, resolution: Resolution) -> f64 {
     params.span_spacings.or(|| 3.0 + 6.0 * ratio.min(1.0)) * resolution.unit()
 }
 
+/// The resolution along a path: that of its densest place, so that none is smoothed over.
+fn finest(lines: &LineGraph, path: &Path, scales: Scales) -> Resolution {
+    let at = |&v: &u32| scales.at(lines.points[v as usize] as usize);
+    let finer = |a: Resolution, b: Resolution| if b.spacing < a.spacing { b } else { a };
+    path.vertices.iter().map(at).reduce(finer).unwrap_or(scales.mean)
+}
+
 /// The strip along a path whose `ends` are nodes of the network.
 pub(super) fn strip(
     network: &Network,
@@ -23,9 +31,10 @@ pub(super) fn strip(
     lines: &LineGraph,
     path: &Path,
     ends: Option<[u32; 2]>,
-    resolution: Resolution,
+    scales: Scales,
     params: &SplineParams,
 ) -> Strip {
+    let resolution = finest(lines, path, scales);
     let mut positions: Vec<[f64; 3]> = path.vertices.iter().map(|&v| lines.positions[v as usize]).collect();
     if let Some([start, end]) = ends {
         let last = positions.len() - 1;

@@ -4,10 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::math::vec3::distance;
 use crate::network::{Network, NodeKind, Strip, StripKind, trace};
+use crate::surface::Scales;
 
 /// Makes nodes at one place one node, keeps the first of strips with the same points, leaves out the stubs that remain,
-/// creases up to `stub` long, and counts what meets in each node.
-pub fn tidy(network: &mut Network, stub: f64) {
+/// creases up to `stub` spacings long, and counts what meets in each node.
+pub fn tidy(network: &mut Network, stub: f64, scales: Scales) {
     unite(network);
     let mut seen = BTreeSet::new();
     network.strips.retain(|strip| seen.insert((strip.closed, trace(strip))));
@@ -15,12 +16,17 @@ pub fn tidy(network: &mut Network, stub: f64) {
     loop {
         let before = network.strips.len();
         let Network { nodes, strips, .. } = network;
-        strips.retain(|s| !is_stub(s, stub, |end| nodes[end as usize].degree));
+        strips.retain(|s| !is_stub(s, stub * coarsest(s, scales), |end| nodes[end as usize].degree));
         if network.strips.len() == before {
             break;
         }
         count(network);
     }
+}
+
+/// The greatest length of a spacing along a strip.
+fn coarsest(strip: &Strip, scales: Scales) -> f64 {
+    strip.sources.iter().map(|&i| scales.unit(i)).fold(0.0, f64::max)
 }
 
 /// Whether a strip is short and ends loose beside what it hangs on.

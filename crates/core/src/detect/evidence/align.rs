@@ -6,39 +6,48 @@
 use crate::math::vec3::{add_scaled, dot, norm, scale, sub};
 use crate::measure::Penalties;
 use crate::neighbors::{Neighbors, riemannian::Scratch};
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 use rayon::prelude::*;
 
 /// Certainty of direction below which a point is near a corner and has no across.
 pub(crate) const NO_DIRECTION: f64 = 0.5;
 
 /// Draws the feet of creases together: they scatter with the noise, and a band of them is as wide.
-pub(crate) fn align_creases(graph: &Neighbors, creases: &mut Penalties, resolution: Resolution, hops: usize) {
-    let blur = (4.0 * resolution.noise).min(2.0 * resolution.unit());
-    align(graph, creases, hops.max(2), blur, blur);
+pub(crate) fn align_creases(
+    graph: &Neighbors,
+    creases: &mut Penalties,
+    scales: Scales,
+    hops: impl Fn(usize) -> usize + Sync,
+) {
+    let blur = |i: usize| (4.0 * scales.mean.noise).min(2.0 * scales.at(i).unit());
+    align(graph, creases, |i| hops(i).max(2), blur);
 }
 
 /// Draws the feet of borders together: the row of points behind a border is ragged without any noise.
-pub(crate) fn align_borders(graph: &Neighbors, borders: &mut Penalties, resolution: Resolution) {
-    let unit = resolution.unit();
-    align(graph, borders, 2, 2.0 * unit, 2.0 * unit);
+pub(crate) fn align_borders(graph: &Neighbors, borders: &mut Penalties, scales: Scales) {
+    align(graph, borders, |_| 2, |i| 2.0 * scales.at(i).unit());
 }
 
 /// Moves every candidate across its line to the mean of the candidates up to `hops` away in the graph whose feet lie
-/// within `along` of its own along the line and within `across` beside it.
-fn align(graph: &Neighbors, penalties: &mut Penalties, hops: usize, along: f64, across: f64) {
+/// within `reach` of its own along the line and beside it.
+fn align(
+    graph: &Neighbors,
+    penalties: &mut Penalties,
+    hops: impl Fn(usize) -> usize + Sync,
+    reach: impl Fn(usize) -> f64 + Sync,
+) {
     let feet: Vec<[f64; 3]> = (0..penalties.len())
         .into_par_iter()
         .with_min_len(64)
         .map_init(Scratch::default, |scratch, c| {
-            let near = graph.hops(penalties.points[c] as usize, hops, scratch);
-            aligned(penalties, near, c, along, across)
+            let i = penalties.points[c] as usize;
+            aligned(penalties, graph.hops(i, hops(i), scratch), c, reach(i))
         })
         .collect();
     penalties.foot = feet;
 }
 
-fn aligned(penalties: &Penalties, near: &[u32], c: usize, along: f64, across: f64) -> [f64; 3] {
+fn aligned(penalties: &Penalties, near: &[u32], c: usize, reach: f64) -> [f64; 3] {
     let vector = penalties.vector[c].map(f64::from);
     let certainty = norm(vector);
     let foot = penalties.foot[c];
@@ -51,7 +60,7 @@ fn aligned(penalties: &Penalties, near: &[u32], c: usize, along: f64, across: f6
         let d = sub(penalties.foot[other], foot);
         let t = dot(d, direction);
         let aside = add_scaled(d, direction, -t);
-        if t.abs() <= along && norm(aside) <= across {
+        if t.abs() <= reach && norm(aside) <= reach {
             sum = add_scaled(sum, aside, 1.0);
             count += 1.0;
         }
@@ -76,7 +85,7 @@ mod tests {
             let row = Row { scalar: 0.0, vector: [certainty, 0.0, 0.0], corner: 1.0, foot, evidence: None };
             penalties.push(i as u32, row);
         }
-        align(&graph, &mut penalties, 1, 2.0, 2.0);
+        align(&graph, &mut penalties, |_| 1, |_| 2.0);
         assert!(penalties.foot.iter().enumerate().all(|(i, f)| i == 10 || f[1].abs() < 0.2));
         assert_eq!(penalties.foot[10], [5.0, 0.4, 0.0]);
     }

@@ -11,6 +11,7 @@ use crate::math::tensor::{add_product, centred, ellipsoid};
 use crate::math::vec3::{dot, sub};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::resolution::Resolution;
+use crate::surface::Scales;
 use rayon::prelude::*;
 
 /// Neighbours of the small ellipsoid: with the point itself the fewest whose plane stands up to noise.
@@ -48,15 +49,15 @@ pub fn tolerance(scale: Resolution) -> f64 {
 pub fn consensus_normals(
     points: &[[f64; 3]],
     graph: &Neighbors,
-    hops: usize,
-    scale: Resolution,
+    hops: impl Fn(usize) -> usize + Sync,
+    scales: Scales,
 ) -> Vec<[f32; 3]> {
-    let rate = 0.5 / tolerance(scale).powi(2);
+    let rate = |i: usize| 0.5 / tolerance(scales.at(i)).powi(2);
     let blocks = || (0..points.len()).into_par_iter().with_min_len(1024);
     let own: Vec<[f32; 3]> = blocks()
         .map_init(Scratch::default, |scratch, i| {
             let near = graph.of(i);
-            let all = graph.hops(i, hops, scratch);
+            let (all, rate) = (graph.hops(i, hops(i), scratch), rate(i));
             let candidates =
                 [&near[..near.len().min(NEAREST)], all].map(|set| ellipsoid(points, i, set).axes.vectors[0]);
             best(candidates.map(|n| (n, weight(points, i, all, rate, n))).into_iter()).0.map(|x| x as f32)
@@ -64,6 +65,7 @@ pub fn consensus_normals(
         .collect();
     blocks()
         .map_init(Default::default, |(scratch, planes): &mut (Scratch, Vec<Plane>), i| {
+            let (hops, rate) = (hops(i), rate(i));
             let all = graph.hops(i, hops, scratch);
             let near = all.len();
             planes.clear();
@@ -156,7 +158,7 @@ mod tests {
         }
         let graph = riemannian::graph(&points, &all_nearest(&points, 12));
         let scale = Resolution { spacing: 1.0, noise: 0.02 };
-        let normals = consensus_normals(&points, &graph, 1, scale);
+        let normals = consensus_normals(&points, &graph, |_| 1, scale.into());
         let inner = |p: &[f64; 3]| p[0] > 2.0 && p[0] < 27.0 && p[1] > 2.0 && p[1] < 27.0;
         let (mut right, mut all) = (0, 0);
         for (p, n) in points.iter().zip(&normals).filter(|(p, _)| inner(p)) {

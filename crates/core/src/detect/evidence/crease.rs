@@ -23,7 +23,8 @@ pub(crate) fn crease(
     wide: &[u32],
     section: &mut CrossSection,
 ) -> Option<Row> {
-    let Surroundings { points, resolution, least_fold, .. } = surroundings;
+    let Surroundings { points, least_fold, .. } = surroundings;
+    let resolution = surroundings.scales.at(i);
     let Sides { tensor, pull, pair } = sides;
     let [least, middle, _] = tensor.values.map(|x| x.max(0.0));
     let corner = least.sqrt() > *least_fold;
@@ -33,7 +34,7 @@ pub(crate) fn crease(
     let certainty = if middle > 0.0 { 1.0 - (least / middle).sqrt() } else { 0.0 };
     let seen = |&j: &usize| pair.is_none_or(|s| s.holds(points[j], surroundings.normal(j)));
     let near = wide.iter().map(|&j| j as usize).filter(seen).chain([i]).map(|j| points[j]);
-    let sharp = if corner { None } else { sharpness(near, tensor, foot, *resolution, section) };
+    let sharp = if corner { None } else { sharpness(near, tensor, foot, resolution, section) };
     let row = Row {
         scalar: penalty as f32,
         vector: scale(tensor.vectors[0], certainty).map(|x| x as f32),

@@ -7,7 +7,7 @@
 use super::consensus::{NEGLIGIBLE, bell, consensus_normals, tolerance};
 use crate::math::vec3::{add_scaled, dot, sub, unit};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 use rayon::prelude::*;
 
 /// Passes of bilateral averaging: one moves most normals to a side, the second settles those it left between.
@@ -24,12 +24,18 @@ pub struct Normals {
     pub support: Vec<f32>,
 }
 
-/// Estimates the normals from neighbourhoods of graph distance `hops`.
-pub fn normals(points: &[[f64; 3]], graph: &Neighbors, hops: usize, resolution: Resolution) -> Normals {
-    let vectors = consensus_normals(points, graph, hops, resolution);
+/// Estimates the normals from neighbourhoods of graph distance `hops`, which may differ from point to point.
+pub fn normals<'a>(
+    points: &[[f64; 3]],
+    graph: &Neighbors,
+    hops: impl Fn(usize) -> usize + Sync,
+    scales: impl Into<Scales<'a>>,
+) -> Normals {
+    let scales = scales.into();
+    let vectors = consensus_normals(points, graph, &hops, scales);
     let mut normals = Normals { vectors, support: vec![1.0; points.len()] };
     for _ in 0..PASSES {
-        normals = pass(points, graph, hops, resolution, &normals);
+        normals = pass(points, graph, &hops, scales, &normals);
     }
     normals
 }
@@ -39,14 +45,20 @@ pub(crate) fn inner<'a>(graph: &'a Neighbors, i: usize, hops: usize, scratch: &'
     if hops <= 2 { graph.of(i) } else { graph.hops(i, hops - 1, scratch) }
 }
 
-fn pass(points: &[[f64; 3]], graph: &Neighbors, hops: usize, scale: Resolution, from: &Normals) -> Normals {
+fn pass(
+    points: &[[f64; 3]],
+    graph: &Neighbors,
+    hops: impl Fn(usize) -> usize + Sync,
+    scales: Scales,
+    from: &Normals,
+) -> Normals {
     let angle_rate = 1.0 / (1.0 - GATE_DEG.to_radians().cos());
-    let offset_rate = 0.5 / tolerance(scale).powi(2);
     let rows =
         (0..points.len()).into_par_iter().with_min_len(1024).map_init(Scratch::default, |scratch, i| {
             let own = from.vectors[i].map(f64::from);
             let (mut sum, mut total) = (own, 1.0);
-            let neighbors = graph.hops(i, hops, scratch);
+            let offset_rate = 0.5 / tolerance(scales.at(i)).powi(2);
+            let neighbors = graph.hops(i, hops(i), scratch);
             for &j in neighbors {
                 let other = from.vectors[j as usize].map(f64::from);
                 let cosine = dot(own, other);

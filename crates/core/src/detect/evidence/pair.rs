@@ -38,7 +38,7 @@ impl Pair {
 
 /// The two sides at point `i`, if the tangent planes of `near` have no place in common near `foot`.
 pub(crate) fn pair(surroundings: &Surroundings, i: usize, near: &[u32], foot: [f64; 3]) -> Option<Pair> {
-    let (h, noise) = (surroundings.resolution.unit(), surroundings.resolution.noise);
+    let (h, noise) = (surroundings.scales.at(i).unit(), surroundings.scales.at(i).noise);
     let normal = |j: usize| surroundings.normal(j);
     let place = |j: usize| surroundings.points[j];
     let (mut squares, mut total) = (0.0, 0.0);

@@ -1,20 +1,22 @@
 //! A cloud with its normals, and the correlation tensor of the normals around a point.
 
+use super::hops::hops;
 use super::normals::Normals;
 use crate::math::eigen3::{Eigen3, eigen3};
 use crate::math::tensor::add_product;
 use crate::math::vec3::{add_scaled, dot, scale, sub};
 use crate::neighbors::Neighbors;
-use crate::resolution::Resolution;
+use crate::params::Auto;
+use crate::surface::Scales;
 
 /// What evidence at any point is taken from: canonical order, local frame.
 pub(crate) struct Surroundings<'a> {
     pub(crate) points: &'a [[f64; 3]],
     pub(crate) graph: &'a Neighbors,
     pub(crate) normals: Normals,
-    pub(crate) resolution: Resolution,
-    /// Graph distance of the neighbourhoods.
-    pub(crate) hops: usize,
+    pub(crate) scales: Scales<'a>,
+    /// Graph distance of the neighbourhoods, where it is not left to the noise at each point.
+    hops: Auto<usize>,
     /// Sine of half the fold at which a crease becomes one.
     pub(crate) least_fold: f64,
 }
@@ -25,12 +27,17 @@ impl<'a> Surroundings<'a> {
         points: &'a [[f64; 3]],
         graph: &'a Neighbors,
         normals: Normals,
-        resolution: Resolution,
-        hops: usize,
+        scales: impl Into<Scales<'a>>,
+        hops: Auto<usize>,
         fold_deg: f64,
     ) -> Self {
         let least_fold = (0.5 * fold_deg.to_radians()).sin();
-        Self { points, graph, normals, resolution, hops, least_fold }
+        Self { points, graph, normals, scales: scales.into(), hops, least_fold }
+    }
+
+    /// Graph distance of the neighbourhood of point `i`.
+    pub(crate) fn hops(&self, i: usize) -> usize {
+        hops(self.hops, self.scales.at(i))
     }
 
     /// The normal of point `i`.

@@ -19,13 +19,14 @@ use crate::detect::evidence::align::{align_borders, align_creases};
 use crate::detect::evidence::border::{HIDING_FOLD, border, may_be_border};
 use crate::detect::evidence::crease::crease;
 use crate::detect::evidence::fold::CrossSection;
+use crate::detect::evidence::hops::hops;
 use crate::detect::evidence::normals::{inner, normals};
 use crate::detect::evidence::sides::Sides;
 use crate::detect::evidence::surroundings::Surroundings;
 use crate::measure::{Direction, Measure, Penalties, Row};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::params::PenaltyParams;
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 use rayon::prelude::*;
 
 /// Points that a thread takes at a time.
@@ -51,12 +52,12 @@ struct Buffers {
 pub fn penalties(
     points: &[[f64; 3]],
     graph: &Neighbors,
-    resolution: Resolution,
+    scales: Scales,
     params: &PenaltyParams,
     derived: Derived,
 ) -> Measure {
-    let normals = normals(points, graph, derived.hops, resolution);
-    let surroundings = Surroundings::new(points, graph, normals, resolution, derived.hops, params.fold_deg);
+    let normals = normals(points, graph, |i| hops(params.hops, scales.at(i)), scales);
+    let surroundings = Surroundings::new(points, graph, normals, scales, params.hops, params.fold_deg);
     let mut measure = Measure {
         density: densities(points, graph),
         crease: Penalties::new(derived.alpha, Direction::Across),
@@ -68,38 +69,33 @@ pub fn penalties(
         block.crease.into_iter().for_each(|(i, row)| measure.crease.push(i, row));
         block.border.into_iter().for_each(|(i, row)| measure.border.push(i, row));
     }
-    align_creases(graph, &mut measure.crease, resolution, derived.hops);
-    align_borders(graph, &mut measure.border, resolution);
+    align_creases(graph, &mut measure.crease, scales, |i| surroundings.hops(i));
+    align_borders(graph, &mut measure.border, scales);
     measure.normal = surroundings.normals.vectors;
     measure
 }
 
 /// The border penalties of the same form alone.
-pub fn borders(
-    points: &[[f64; 3]],
-    graph: &Neighbors,
-    resolution: Resolution,
-    params: &PenaltyParams,
-    derived: Derived,
-) -> Penalties {
-    let normals = normals(points, graph, derived.hops, resolution);
-    let surroundings = Surroundings::new(points, graph, normals, resolution, derived.hops, params.fold_deg);
+pub fn borders(points: &[[f64; 3]], graph: &Neighbors, scales: Scales, params: &PenaltyParams) -> Penalties {
+    let normals = normals(points, graph, |i| hops(params.hops, scales.at(i)), scales);
+    let surroundings = Surroundings::new(points, graph, normals, scales, params.hops, params.fold_deg);
     let mut penalties = Penalties::new(params.gamma, Direction::Across);
     let only_border = |i: usize, buffers: &mut Buffers, block: &mut Block| {
         if !may_be_border(points, i, graph.of(i)) {
             return;
         }
-        let sides = Sides::around(&surroundings, i, inner(graph, i, derived.hops, &mut buffers.scratch));
+        let sides =
+            Sides::around(&surroundings, i, inner(graph, i, surroundings.hops(i), &mut buffers.scratch));
         if sides.fold() < HIDING_FOLD {
-            let wide = graph.hops(i, derived.hops.max(2), &mut buffers.scratch);
-            let row = border(points, i, wide, resolution, params, &mut buffers.angles);
+            let wide = graph.hops(i, surroundings.hops(i).max(2), &mut buffers.scratch);
+            let row = border(points, i, wide, scales.at(i), params, &mut buffers.angles);
             block.border.extend(row.map(|row| (i as u32, row)));
         }
     };
     for block in blocks(points.len(), only_border) {
         block.border.into_iter().for_each(|(i, row)| penalties.push(i, row));
     }
-    align_borders(graph, &mut penalties, resolution);
+    align_borders(graph, &mut penalties, scales);
     penalties
 }
 
@@ -123,9 +119,10 @@ fn point(
     buffers: &mut Buffers,
     block: &mut Block,
 ) {
-    let Surroundings { points, graph, resolution, hops, least_fold, .. } = surroundings;
+    let Surroundings { points, graph, scales, least_fold, .. } = surroundings;
+    let hops = surroundings.hops(i);
     let Buffers { scratch, angles, section } = buffers;
-    let sides = Sides::around(surroundings, i, inner(graph, i, *hops, scratch));
+    let sides = Sides::around(surroundings, i, inner(graph, i, hops, scratch));
     let fold = sides.fold();
     let penalty = 1.0 - fold / (2.0 * least_fold);
     let folded = penalty < params.candidate;
@@ -134,13 +131,13 @@ fn point(
     if !folded && !open {
         return;
     }
-    let wide = graph.hops(i, (*hops).max(2), scratch);
+    let wide = graph.hops(i, hops.max(2), scratch);
     if folded {
         let row = crease(surroundings, i, &sides, penalty.max(0.0), wide, section);
         block.crease.extend(row.map(|row| (i as u32, row)));
     }
     if open {
-        let row = border(points, i, wide, *resolution, params, angles);
+        let row = border(points, i, wide, scales.at(i), params, angles);
         block.border.extend(row.map(|row| (i as u32, row)));
     }
 }

@@ -24,7 +24,7 @@ use crate::detect::penalty::{densities, derive};
 use crate::math::vec3::{dot, norm, sub};
 use crate::measure::{Direction, Measure, Penalties, Row};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
-use crate::params::{Params, PenaltyParams};
+use crate::params::{Auto, Params, PenaltyParams};
 use crate::resolution::Resolution;
 use rayon::prelude::*;
 
@@ -40,20 +40,26 @@ const ACROSS: f64 = std::f64::consts::FRAC_1_SQRT_2;
 pub fn measure(points: &[[f64; 3]], graph: &Neighbors, resolution: Resolution, params: &Params) -> Measure {
     let Projection { marks, normal, .. } = project(points, resolution, &params.projection);
     let derived = derive(&params.penalty, resolution);
-    let mut faces = normals(points, graph, derived.hops, resolution);
+    let mut faces = normals(points, graph, |_| derived.hops, resolution);
     faces.support = marks.score.iter().map(|s| (1.0 - s).powi(2)).collect();
-    let surroundings =
-        Surroundings::new(points, graph, faces, resolution, derived.hops, params.penalty.fold_deg);
+    let surroundings = Surroundings::new(
+        points,
+        graph,
+        faces,
+        resolution,
+        Auto::Given(derived.hops),
+        params.penalty.fold_deg,
+    );
     let rows = rows(&surroundings, &marks, &params.penalty);
     let folds: Vec<(u32, Row)> = rows.iter().filter_map(|r| Some((r.0, r.1?))).collect();
     let mut crease = Penalties::new(derived.alpha, Direction::Across);
     for fold in folds.iter().filter(|fold| is_ridge(graph, resolution, &marks, &folds, fold)) {
         crease.push(fold.0, fold.1);
     }
-    align_creases(graph, &mut crease, resolution, derived.hops);
+    align_creases(graph, &mut crease, resolution.into(), |_| derived.hops);
     let mut border = Penalties::new(params.penalty.gamma, Direction::Across);
     rows.iter().filter_map(|r| Some((r.0, r.2?))).for_each(|(i, row)| border.push(i, row));
-    align_borders(graph, &mut border, resolution);
+    align_borders(graph, &mut border, resolution.into());
     let class = Some(marks.classes());
     Measure { density: densities(points, graph), class, score: marks.score, normal, crease, border }
 }
@@ -63,12 +69,12 @@ type Candidate = (u32, Option<Row>, Option<Row>);
 
 /// The candidates of creases where the surface folds, and those of borders, ascending, with their penalties.
 fn rows(surroundings: &Surroundings, marks: &Marks, params: &PenaltyParams) -> Vec<Candidate> {
-    let Surroundings { points, graph, resolution, hops, least_fold, .. } = surroundings;
-    let hops = (*hops).max(2);
+    let Surroundings { points, graph, scales, least_fold, .. } = surroundings;
     let row = |(scratch, section, angles): &mut (Scratch, CrossSection, Vec<f64>), i| {
+        let hops = surroundings.hops(i).max(2);
         let wide = graph.hops(i, hops, scratch);
         let border = may_be_border(points, i, graph.of(i))
-            .then(|| border(points, i, wide, *resolution, params, angles))
+            .then(|| border(points, i, wide, scales.at(i), params, angles))
             .flatten();
         let score = f64::from(marks.score[i]);
         let is_crease = score > CANDIDATE_SHARE * marks.threshold;

@@ -26,7 +26,7 @@ pub(crate) fn borders(
 ) -> LineGraph {
     let kind = StripKind::Border;
     let rules = LineRules { tau: TAU, cycle: rule, repair };
-    let mut border = lines_of(graph, &measure.density, &measure.border, resolution, rules, kind);
+    let mut border = lines_of(graph, &measure.density, &measure.border, resolution.into(), rules, kind);
     remove_short(&mut border, OPEN_BORDER * resolution.unit());
     border.nodes.retain(|&v| !border.edges[v as usize].is_empty());
     border

@@ -31,7 +31,7 @@ pub fn forest(lines: &LineGraph, edges: &[Candidate], keep: Option<(Resolution, 
         let wanted = sets.union(edge.a, edge.b)
             || match (&keep, &mut walker) {
                 (Some((resolution, rule)), Some(walker)) => {
-                    closes_long(&tree, walker, edge, *resolution, *rule)
+                    closes_long(&tree, walker, edge, (*resolution).into(), *rule)
                 }
                 _ => false,
             };

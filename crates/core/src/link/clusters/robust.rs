@@ -46,7 +46,7 @@ pub(crate) struct Segments<'a> {
     pub(crate) measure: &'a Measure,
     pub(crate) segments: &'a Segmentation,
     pub(crate) resolution: Resolution,
-    pub(crate) rule: CycleRule,
+    pub(crate) rule: CycleRule<'a>,
     pub(crate) params: &'a Params,
 }
 
@@ -58,9 +58,9 @@ pub(crate) fn link_robust(cloud: &Segments) -> Linked {
     let (mut lines, all) = open_lines(cloud, &mut recorder);
     take_vertices(&mut lines, &all);
     let mut pattern = Pattern { crease: lines, border };
-    dock(&mut pattern, resolution);
+    dock(&mut pattern, resolution.into());
     close(cloud, &mut pattern, &all, &mut recorder);
-    corners(&mut pattern.crease, StripKind::Crease, resolution, &params.repair);
+    corners(&mut pattern.crease, StripKind::Crease, resolution.into(), &params.repair);
     Linked { pattern, stages: recorder.stages }
 }
 
@@ -68,7 +68,7 @@ pub(crate) fn link_robust(cloud: &Segments) -> Linked {
 fn open_lines(cloud: &Segments, recorder: &mut Recorder) -> (LineGraph, LineGraph) {
     let &Segments { points, graph, measure, segments, resolution, rule, params } = cloud;
     let penalties = &measure.crease;
-    let edges = candidate_edges(graph, &measure.density, penalties, resolution, 1.0, 1);
+    let edges = candidate_edges(graph, &measure.density, penalties, resolution.into(), 1.0, 1);
     let (mut clusters, cluster_of) = group(graph, penalties, &edges, segments, resolution);
     recorder.whole("G_all", &clusters);
     add_edges(&mut clusters, resolution, params.segments.extend_spacings);
@@ -76,8 +76,8 @@ fn open_lines(cloud: &Segments, recorder: &mut Recorder) -> (LineGraph, LineGrap
     let mut lines = forest(&clusters.lines, &clusters.weights, Some((resolution, rule)));
     recorder.lines("G_pruned_mst", &lines);
     prune(&mut lines, rule);
-    remove_rungs(&mut lines, resolution, &params.repair);
-    judge(&mut lines, resolution, rule, &params.repair);
+    remove_rungs(&mut lines, resolution.into(), &params.repair);
+    judge(&mut lines, resolution.into(), rule, &params.repair);
     recorder.lines("G_pruned_branches", &lines);
     let all = ground(&clusters, &cluster_of, points, graph, penalties, segments, resolution);
     (lines, all)
@@ -98,14 +98,14 @@ fn close(cloud: &Segments, pattern: &mut Pattern, all: &LineGraph, recorder: &mu
     let &Segments { resolution, rule, params, .. } = cloud;
     let Pattern { crease: lines, border } = pattern;
     let own = include(lines, border);
-    bridge(lines, StripKind::Crease, resolution, &params.repair);
+    bridge(lines, StripKind::Crease, resolution.into(), &params.repair);
     reroute(lines, all, resolution, rule.metric);
     let mut walker = Walker::new(lines.edges.len(), rule.metric);
     for gap in LAST_LINKS {
         connect_within(lines, gap * resolution.spacing, &mut walker, resolution.spacing);
     }
     remove_open(lines);
-    remove_rungs(lines, resolution, &params.repair);
+    remove_rungs(lines, resolution.into(), &params.repair);
     recorder.lines("G_closed", lines);
     smooth(lines, SMOOTHING);
     recorder.lines("G_smooth", lines);

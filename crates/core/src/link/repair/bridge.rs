@@ -5,11 +5,11 @@
 //! Gumhold 2001.
 
 use crate::math::vec3::{add_scaled, distance, dot, norm, scale, sub, unit};
-use crate::neighbors::Index;
+use crate::neighbors::{Found, Index};
 use crate::network::StripKind;
 use crate::params::RepairParams;
 use crate::pattern::LineGraph;
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 
 /// Gap in spacings and the angle up to which both ends may look aside from it, degrees; nearest first.
 const CREASE_GAPS: [(f64, f64); 4] = [(3.0, 60.0), (4.5, 40.0), (6.5, 25.0), (10.0, 10.0)];
@@ -39,6 +39,8 @@ struct End {
     vertex: u32,
     position: [f64; 3],
     tangent: [f64; 3],
+    /// The length of a spacing there.
+    h: f64,
     /// The vertices of its own strip near to it, and how far along the strip they lie.
     own: Vec<(u32, f64)>,
 }
@@ -64,22 +66,21 @@ enum Bridge {
 }
 
 /// Joins loose ends, the cheapest first, in rounds of growing reach.
-pub(crate) fn bridge(lines: &mut LineGraph, kind: StripKind, resolution: Resolution, params: &RepairParams) {
+pub(crate) fn bridge(lines: &mut LineGraph, kind: StripKind, scales: Scales, params: &RepairParams) {
     let far = params.bridge_reach;
-    let h = resolution.unit();
     let (gaps, last): (&[(f64, f64)], f64) = match kind {
         StripKind::Crease => (&CREASE_GAPS, TOUCHING_LAST[0]),
         StripKind::Border => (&BORDER_GAPS, TOUCHING_LAST[1]),
     };
     for (round, &(reach, angle)) in gaps.iter().enumerate() {
-        let ends = loose_ends(lines, h);
+        let ends = loose_ends(lines, scales);
         let touching = if round + 1 == gaps.len() { last } else { TOUCHING };
-        let mut bridges = facing(&ends, reach * far * h, angle, touching * h);
+        let mut bridges = facing(&ends, reach * far, angle, touching);
         for &(_, reach, angle) in INTO_STRIP.iter().filter(|s| s.0 == round) {
-            bridges.extend(into_strips(lines, &ends, reach * far * h, angle));
+            bridges.extend(into_strips(lines, &ends, reach * far, angle));
         }
         if round == SIDEWAYS {
-            bridges.extend(meetings(&ends, h));
+            bridges.extend(meetings(&ends));
         }
         bridges.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.ends().cmp(&b.1.ends())));
         for (_, bridge) in bridges {
@@ -97,11 +98,11 @@ impl Bridge {
 }
 
 /// All vertices of degree one with their directions.
-fn loose_ends(lines: &LineGraph, h: f64) -> Vec<End> {
+fn loose_ends(lines: &LineGraph, scales: Scales) -> Vec<End> {
     (0..lines.edges.len() as u32)
         .filter(|&v| lines.edges[v as usize].len() == 1)
         .map(|v| {
-            let position = lines.positions[v as usize];
+            let (position, h) = (lines.positions[v as usize], scales.unit(lines.points[v as usize]));
             let (mut own, mut length) = (vec![(v, 0.0)], 0.0);
             let (mut before, mut at) = (v, lines.edges[v as usize][0]);
             let mut back = position;
@@ -117,20 +118,33 @@ fn loose_ends(lines: &LineGraph, h: f64) -> Vec<End> {
                 }
                 (before, at) = (at, if next[0] == before { next[1] } else { next[0] });
             }
-            End { vertex: v, position, tangent: unit(sub(position, back)), own }
+            End { vertex: v, position, tangent: unit(sub(position, back)), h, own }
         })
         .collect()
 }
 
-/// Pairs of ends that look at each other over at most `reach`, with their cost.
+/// Which of the `ends` that a search of `reach` spacings `found` around end `i` make a pair with it, so that each pair is seen once: those
+/// after it, and those before it whose own search falls short of it.
+fn partners<'a>(
+    ends: &'a [End],
+    found: &'a [Found],
+    i: usize,
+    reach: f64,
+) -> impl Iterator<Item = usize> + 'a {
+    let falls_short = move |f: &Found| f.distance2 > (reach * ends[f.index as usize].h).powi(2);
+    let seen = move |f: &&Found| (f.index as usize) > i || ((f.index as usize) < i && falls_short(f));
+    found.iter().filter(seen).map(|f| f.index as usize)
+}
+
+/// Pairs of ends that look at each other over at most `reach` spacings, with their cost.
 fn facing(ends: &[End], reach: f64, angle_deg: f64, touching: f64) -> Vec<(f64, Bridge)> {
     let positions: Vec<[f64; 3]> = ends.iter().map(|e| e.position).collect();
     let index = Index::build(&positions);
     let cosine = angle_deg.to_radians().cos();
     let (mut found, mut bridges) = (Vec::new(), Vec::new());
     for (i, end) in ends.iter().enumerate() {
-        index.within(end.position, reach, &mut found);
-        for other in found.iter().map(|f| f.index as usize).filter(|&j| j > i) {
+        index.within(end.position, reach * end.h, &mut found);
+        for other in partners(ends, &found, i, reach) {
             let gap = sub(ends[other].position, end.position);
             let length = norm(gap);
             let aside =
@@ -139,7 +153,7 @@ fn facing(ends: &[End], reach: f64, angle_deg: f64, touching: f64) -> Vec<(f64, 
             if end.along(ends[other].vertex).is_some_and(|along| along < LOOP_TO_GAP * length) {
                 continue;
             }
-            if length <= touching || straight >= cosine {
+            if length <= touching * end.h.max(ends[other].h) || straight >= cosine {
                 let cost = length * (2.0 - straight);
                 bridges.push((cost, Bridge::Edge(end.vertex, ends[other].vertex)));
             }
@@ -148,7 +162,7 @@ fn facing(ends: &[End], reach: f64, angle_deg: f64, touching: f64) -> Vec<(f64, 
     bridges
 }
 
-/// Ends that run into a strip ahead of them.
+/// Ends that run into a strip ahead of them, at most `reach` spacings away.
 fn into_strips(lines: &LineGraph, ends: &[End], reach: f64, angle_deg: f64) -> Vec<(f64, Bridge)> {
     let vertices: Vec<u32> =
         (0..lines.edges.len() as u32).filter(|&v| lines.edges[v as usize].len() > 1).collect();
@@ -157,6 +171,7 @@ fn into_strips(lines: &LineGraph, ends: &[End], reach: f64, angle_deg: f64) -> V
     let cosine = angle_deg.to_radians().cos();
     let (mut found, mut bridges) = (Vec::new(), Vec::new());
     for end in ends {
+        let reach = reach * end.h;
         index.within(end.position, reach.min(0.5 * end.length()), &mut found);
         let nearest = found
             .iter()
@@ -178,13 +193,14 @@ fn into_strips(lines: &LineGraph, ends: &[End], reach: f64, angle_deg: f64) -> V
 }
 
 /// Pairs of ends whose lines meet ahead of both at an angle.
-fn meetings(ends: &[End], h: f64) -> Vec<(f64, Bridge)> {
+fn meetings(ends: &[End]) -> Vec<(f64, Bridge)> {
     let positions: Vec<[f64; 3]> = ends.iter().map(|e| e.position).collect();
     let index = Index::build(&positions);
     let (mut found, mut bridges) = (Vec::new(), Vec::new());
     for (i, end) in ends.iter().enumerate() {
-        index.within(end.position, 2.0 * MEETING.0 * h, &mut found);
-        for other in found.iter().map(|f| f.index as usize).filter(|&j| j > i) {
+        index.within(end.position, 2.0 * MEETING.0 * end.h, &mut found);
+        for other in partners(ends, &found, i, 2.0 * MEETING.0) {
+            let h = end.h.max(ends[other].h);
             if let Some((ahead, apart, at)) = meeting(end, &ends[other])
                 && ahead <= MEETING.0 * h
                 && apart <= MEETING.1 * h

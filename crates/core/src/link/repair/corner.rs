@@ -11,7 +11,7 @@ use crate::math::vec3::{add, add_scaled, distance, dot, norm, scale, sub, unit};
 use crate::network::StripKind;
 use crate::params::RepairParams;
 use crate::pattern::{LineGraph, Path, paths};
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 
 /// Vertices nearer to a corner than this, spacings, say nothing of its sides.
 const ROUNDED_OFF: f64 = 1.25;
@@ -42,11 +42,10 @@ struct Corner {
 }
 
 /// Puts a node at every corner of the strips.
-pub(crate) fn corners(lines: &mut LineGraph, kind: StripKind, resolution: Resolution, params: &RepairParams) {
-    let h = resolution.unit();
+pub(crate) fn corners(lines: &mut LineGraph, kind: StripKind, scales: Scales, params: &RepairParams) {
     let rounded = ROUNDED.iter().find(|r| r.0 == kind).map_or(0.0, |r| r.1);
     for path in paths(lines) {
-        let course = Course::new(lines, &path, h, rounded);
+        let course = Course::new(lines, &path, scales, rounded);
         place(lines, &path, &course, &course.corners(params.corner_deg));
     }
 }
@@ -57,22 +56,25 @@ struct Course {
     along: Vec<f64>,
     length: f64,
     closed: bool,
-    h: f64,
+    /// The length of a spacing at each vertex.
+    units: Vec<f64>,
     /// Greatest radius of a corner's rounding, spacings.
     rounded: f64,
 }
 
 impl Course {
-    fn new(lines: &LineGraph, path: &Path, h: f64, rounded: f64) -> Course {
+    fn new(lines: &LineGraph, path: &Path, scales: Scales, rounded: f64) -> Course {
+        let units: Vec<f64> = path.vertices.iter().map(|&v| scales.unit(lines.points[v as usize])).collect();
         let positions: Vec<[f64; 3]> = path.vertices.iter().map(|&v| lines.positions[v as usize]).collect();
         let mut along = vec![0.0];
-        for pair in positions.windows(2) {
-            along.push(along[along.len() - 1] + distance(pair[0], pair[1]) / h);
+        let step = |a: usize, b: usize| distance(positions[a], positions[b]) / (0.5 * (units[a] + units[b]));
+        for i in 1..positions.len() {
+            along.push(along[i - 1] + step(i - 1, i));
         }
         let closed = path.ends.is_none();
         let last = along[along.len() - 1];
-        let gap = if closed { distance(positions[0], positions[positions.len() - 1]) / h } else { 0.0 };
-        Course { positions, along, length: last + gap, closed, h, rounded }
+        let gap = if closed { step(0, positions.len() - 1) } else { 0.0 };
+        Course { positions, along, length: last + gap, closed, units, rounded }
     }
 
     /// The vertices from `near` to a side's length behind (-1) or ahead (+1) of `at`: distance along the path and position, in the
@@ -125,7 +127,7 @@ impl Course {
     /// The corner that sides of this length show at a vertex; where the path is rounded it is placed by what lies beyond.
     fn corner(&self, at: usize, side: f64, turn_deg: f64) -> Option<Corner> {
         let first = self.meeting(at, side, ROUNDED_OFF)?;
-        let (turn, spoilt) = first.rounding(self.off(at, first.position) / self.h, self.rounded)?;
+        let (turn, spoilt) = first.rounding(self.off(at, first.position) / self.units[at], self.rounded)?;
         let beyond = if spoilt > ROUNDED_OFF { self.meeting(at, side, spoilt) } else { None };
         let position = beyond.map_or(first.position, |b| b.position);
         let [least, right] = CLEAR_RATIO;
@@ -151,7 +153,7 @@ impl Course {
         let position = crossing(&behind, &ahead)?;
         let count = (sides[0].len() + sides[1].len()) as f64;
         let straight = ((behind.squares + ahead.squares) / count).sqrt();
-        let ratio = straight / smooth_residual(&sides).max(1e-9 * self.h);
+        let ratio = straight / smooth_residual(&sides).max(1e-9 * self.units[at]);
         Some(Meeting { position, cosine: -dot(behind.direction, ahead.direction), ratio })
     }
 
@@ -316,7 +318,7 @@ mod tests {
                 (0..10).flat_map(|k| [4.0, 5.0, 6.0, 8.0].map(|side| (0.1 * f64::from(k), side)))
             {
                 let mut lines = rectangle([30.0, side], step, shift);
-                let unit = Resolution { spacing: 1.0, noise: 0.0 };
+                let unit = crate::Resolution { spacing: 1.0, noise: 0.0 }.into();
                 corners(&mut lines, StripKind::Border, unit, &RepairParams::default());
                 assert!(lines.edges.iter().all(|e| e.is_empty() || e.len() == 2), "{step} {shift} {side}");
                 found += lines.nodes.len();

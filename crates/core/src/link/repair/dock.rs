@@ -5,7 +5,7 @@
 use crate::math::vec3::{add, distance, distance2, dot, norm, scale, sub, unit};
 use crate::neighbors::Index;
 use crate::pattern::{LineGraph, Pattern};
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 
 /// How far a loose crease end may be from a border, spacings, and how far it may look aside from it, degrees; nearest first.
 const DOCKING: [(f64, f64); 3] = [(2.0, 100.0), (4.0, 60.0), (6.0, 35.0)];
@@ -19,12 +19,11 @@ const PIECES: f64 = 256.0;
 const SAME_NODE: f64 = 2.0;
 
 /// Leads loose crease ends on to borders.
-pub(crate) fn dock(pattern: &mut Pattern, resolution: Resolution) {
-    let h = resolution.unit();
+pub(crate) fn dock(pattern: &mut Pattern, scales: Scales) {
     let Pattern { crease, border } = pattern;
     let ends: Vec<u32> =
         (0..crease.edges.len() as u32).filter(|&v| crease.edges[v as usize].len() == 1).collect();
-    refine(border, ends.iter().map(|&v| crease.positions[v as usize]).collect(), h);
+    refine(border, ends.iter().map(|&v| crease.positions[v as usize]).collect(), scales);
     let on: Vec<u32> =
         (0..border.edges.len() as u32).filter(|&v| !border.edges[v as usize].is_empty()).collect();
     let positions: Vec<[f64; 3]> = on.iter().map(|&v| border.positions[v as usize]).collect();
@@ -32,7 +31,7 @@ pub(crate) fn dock(pattern: &mut Pattern, resolution: Resolution) {
     let mut is_node = border.is_node();
     let mut found = Vec::new();
     for end in ends {
-        let at = crease.positions[end as usize];
+        let (at, h) = (crease.positions[end as usize], scales.unit(crease.points[end as usize]));
         let tangent = tangent(crease, end, h);
         let target = DOCKING.iter().find_map(|&(reach, angle)| {
             index.within(at, reach * h, &mut found);
@@ -50,13 +49,14 @@ pub(crate) fn dock(pattern: &mut Pattern, resolution: Resolution) {
 }
 
 /// Gives the border vertices along its long edges that pass near loose ends, for the ends to meet.
-fn refine(border: &mut LineGraph, ends: Vec<[f64; 3]>, h: f64) {
+fn refine(border: &mut LineGraph, ends: Vec<[f64; 3]>, scales: Scales) {
     let index = Index::build(&ends);
     let mut found = Vec::new();
     for a in 0..border.edges.len() as u32 {
         for b in border.edges[a as usize].clone().into_iter().filter(|&b| b > a) {
             let [from, to] = [a, b].map(|v| border.positions[v as usize]);
             let length = distance(from, to);
+            let h = scales.between(border.points[a as usize], border.points[b as usize]);
             index.within(scale(add(from, to), 0.5), 0.5 * length + DOCKING[2].0 * h, &mut found);
             let pieces = (length / (EDGE_STEP * h)).ceil().min(PIECES) as u32;
             if pieces > 1 && !found.is_empty() {
@@ -130,7 +130,7 @@ mod tests {
                 edges: vec![vec![1], vec![0]],
                 nodes: Vec::new(),
             };
-            refine(&mut border, vec![[0.5, 0.0, 0.0]], spacing);
+            refine(&mut border, vec![[0.5, 0.0, 0.0]], crate::Resolution { spacing, noise: 0.0 }.into());
             let pieces = (1.0 / spacing).ceil().min(PIECES) as usize;
             assert_eq!(border.edge_count(), pieces, "{spacing:e}");
         }

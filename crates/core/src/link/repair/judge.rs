@@ -11,17 +11,17 @@ use crate::math::vec3::distance;
 use crate::measure::Evidence;
 use crate::params::RepairParams;
 use crate::pattern::{LineGraph, Path, paths};
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 
 /// A strip shorter than this, in spacings, lies within the junctions at its ends and is not judged by itself.
 const WITHIN_JUNCTION: f64 = 3.0;
 
 /// Drops strips that are round, then pieces too short or with too little evidence to be lines.
-pub(crate) fn judge(lines: &mut LineGraph, resolution: Resolution, rule: CycleRule, params: &RepairParams) {
+pub(crate) fn judge(lines: &mut LineGraph, scales: Scales, rule: CycleRule, params: &RepairParams) {
     let share = params.sharp_share;
     loop {
         let round: Vec<Path> =
-            paths(lines).into_iter().filter(|p| is_round(lines, p, resolution, share)).collect();
+            paths(lines).into_iter().filter(|p| is_round(lines, p, scales, share)).collect();
         if round.is_empty() {
             break;
         }
@@ -30,14 +30,14 @@ pub(crate) fn judge(lines: &mut LineGraph, resolution: Resolution, rule: CycleRu
         }
     }
     // Neighbouring points share their neighbours, so that chance adds up to some twenty along the false lines of a noisy round.
-    drop_pieces(lines, rule.long_branch() * resolution.unit(), params.evidence);
+    drop_pieces(lines, rule.long_branch(), params.evidence, scales);
 }
 
 /// Whether the strip shows less than a `share` of the evidence that a fold of its angle would.
-fn is_round(lines: &LineGraph, path: &Path, resolution: Resolution, share: f64) -> bool {
+fn is_round(lines: &LineGraph, path: &Path, scales: Scales, share: f64) -> bool {
     let shown = || path.vertices.iter().map(|&v| sums_of(lines.evidence[v as usize]));
     let loose = path.ends.is_some_and(|e| e.iter().any(|&v| lines.edges[v as usize].len() == 1));
-    if !loose && path.ends.is_some() && length(lines, &path.vertices) < WITHIN_JUNCTION * resolution.unit() {
+    if !loose && path.ends.is_some() && length(lines, &path.vertices, scales) < WITHIN_JUNCTION {
         return false;
     }
     let expected: f64 = shown().map(|s| s[1]).sum();
@@ -58,8 +58,8 @@ fn remove_path(lines: &mut LineGraph, path: &Path) {
     }
 }
 
-/// Removes connected pieces whose edges add up to less than `least`, and those that show less evidence than is `sure`.
-fn drop_pieces(lines: &mut LineGraph, least: f64, sure: f64) {
+/// Removes connected pieces whose edges add up to less than `least` spacings, and those that show less evidence than is `sure`.
+fn drop_pieces(lines: &mut LineGraph, least: f64, sure: f64, scales: Scales) {
     let count = lines.edges.len();
     let mut sets = UnionFind::new(count);
     for (a, list) in lines.edges.iter().enumerate() {
@@ -72,7 +72,7 @@ fn drop_pieces(lines: &mut LineGraph, least: f64, sure: f64) {
     for a in 0..count {
         let sum = &mut sums[sets.find(a as u32) as usize];
         let after = lines.edges[a].iter().filter(|&&b| b as usize > a);
-        sum[0] += after.map(|&b| length(lines, &[a as u32, b])).sum::<f64>();
+        sum[0] += after.map(|&b| length(lines, &[a as u32, b], scales)).sum::<f64>();
         let [evidence, expected] = sums_of(lines.evidence[a]);
         sum[1] += evidence;
         sum[2] += expected;
@@ -85,9 +85,11 @@ fn drop_pieces(lines: &mut LineGraph, least: f64, sure: f64) {
     }
 }
 
-fn length(lines: &LineGraph, vertices: &[u32]) -> f64 {
-    vertices
-        .windows(2)
-        .map(|w| distance(lines.positions[w[0] as usize], lines.positions[w[1] as usize]))
-        .sum()
+/// Length along some vertices, spacings.
+fn length(lines: &LineGraph, vertices: &[u32], scales: Scales) -> f64 {
+    let edge = |w: &[u32]| {
+        let [a, b] = [w[0] as usize, w[1] as usize];
+        distance(lines.positions[a], lines.positions[b]) / scales.between(lines.points[a], lines.points[b])
+    };
+    vertices.windows(2).map(edge).sum()
 }

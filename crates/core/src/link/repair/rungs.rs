@@ -8,7 +8,7 @@
 use crate::math::vec3::{distance, dot, sub, unit};
 use crate::params::RepairParams;
 use crate::pattern::LineGraph;
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 
 /// Most edges: a longer row is a line that was seen.
 const MOST_EDGES: usize = 2;
@@ -18,18 +18,21 @@ const TANGENT: f64 = 2.5;
 const PASSING_DEG: f64 = 40.0;
 
 /// Takes away all rungs, the shortest first.
-pub(crate) fn remove_rungs(lines: &mut LineGraph, resolution: Resolution, params: &RepairParams) {
-    let h = resolution.unit();
+pub(crate) fn remove_rungs(lines: &mut LineGraph, scales: Scales, params: &RepairParams) {
+    let h = |v: u32| scales.unit(lines.points[v as usize]);
     let mut rungs: Vec<(f64, Vec<u32>)> = (0..lines.edges.len() as u32)
         .filter(|&v| lines.edges[v as usize].len() == 3)
         .flat_map(|v| lines.edges[v as usize].iter().map(move |&w| (v, w)))
-        .filter_map(|(v, w)| rung(lines, v, w, params.rung_spacings * h))
+        .filter_map(|(v, w)| rung(lines, v, w, params.rung_spacings * h(v)))
         .filter(|(_, path)| path[0] < path[path.len() - 1])
         .collect();
     rungs.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
     for (_, path) in rungs {
         let ends = [(path[0], path[1]), (path[path.len() - 1], path[path.len() - 2])];
-        if ends.iter().all(|&(v, away)| passes(lines, v, away, TANGENT * h)) {
+        if ends
+            .iter()
+            .all(|&(v, away)| passes(lines, v, away, TANGENT * scales.unit(lines.points[v as usize])))
+        {
             path.windows(2).for_each(|e| lines.remove_edge(e[0], e[1]));
         }
     }
@@ -91,13 +94,13 @@ mod tests {
         lines
     }
 
-    const UNIT: Resolution = Resolution { spacing: 1.0, noise: 0.0 };
+    const UNIT: crate::Resolution = crate::Resolution { spacing: 1.0, noise: 0.0 };
 
     #[test]
     fn a_rung_between_two_rims_goes() {
         let mut lines = rows(1.5);
         lines.add_edge(9, 30);
-        remove_rungs(&mut lines, UNIT, &RepairParams::default());
+        remove_rungs(&mut lines, UNIT.into(), &RepairParams::default());
         assert_eq!(lines.edge_count(), 38);
     }
 
@@ -106,7 +109,7 @@ mod tests {
         let mut lines = rows(1.5);
         lines.add_edge(0, 20);
         lines.add_edge(19, 39);
-        remove_rungs(&mut lines, UNIT, &RepairParams::default());
+        remove_rungs(&mut lines, UNIT.into(), &RepairParams::default());
         assert_eq!(lines.edge_count(), 40);
     }
 
@@ -114,7 +117,7 @@ mod tests {
     fn a_long_link_stays() {
         let mut lines = rows(6.0);
         lines.add_edge(9, 29);
-        remove_rungs(&mut lines, UNIT, &RepairParams::default());
+        remove_rungs(&mut lines, UNIT.into(), &RepairParams::default());
         assert_eq!(lines.edge_count(), 39);
     }
 }

@@ -8,7 +8,7 @@ use crate::math::vec3::{cross, distance, norm, sub};
 use crate::measure::Penalties;
 use crate::params::PenaltyForm;
 use crate::pattern::LineGraph;
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 
 /// Longest cycle whose openness is looked at, in `rho`.
 const WHOLE_CYCLE: f64 = 8.0;
@@ -18,7 +18,7 @@ const WHOLE_CYCLE: f64 = 8.0;
 pub(crate) fn minimum_spanning_graph(
     penalties: &Penalties,
     edges: &[Candidate],
-    resolution: Resolution,
+    scales: Scales,
     rule: CycleRule,
 ) -> LineGraph {
     let mut lines = LineGraph {
@@ -33,7 +33,7 @@ pub(crate) fn minimum_spanning_graph(
     let mut sets = UnionFind::new(penalties.len());
     let mut walker = Walker::new(penalties.len(), rule.metric);
     for edge in edges {
-        if sets.union(edge.a, edge.b) || closes_long(&lines, &mut walker, edge, resolution, rule) {
+        if sets.union(edge.a, edge.b) || closes_long(&lines, &mut walker, edge, scales, rule) {
             lines.edges[edge.a as usize].push(edge.b);
             lines.edges[edge.b as usize].push(edge.a);
         }
@@ -49,9 +49,10 @@ pub(crate) fn closes_long(
     lines: &LineGraph,
     walker: &mut Walker,
     edge: &Candidate,
-    resolution: Resolution,
+    scales: Scales,
     rule: CycleRule,
 ) -> bool {
+    let unit = scales.between(lines.points[edge.a as usize], lines.points[edge.b as usize]);
     let closing = walker.length(lines, edge.a, edge.b);
     if walker.path(lines, edge.a, edge.b, rule.rho - closing).is_some() {
         return false;
@@ -61,7 +62,7 @@ pub(crate) fn closes_long(
         // A cycle much longer than it is wide may be two strands of one band: look at the shortest one whole.
         PenaltyForm::Robust => walker
             .path(lines, edge.a, edge.b, WHOLE_CYCLE * rule.rho)
-            .is_none_or(|path| openness(&lines.positions, &path) >= rule.openness * resolution.unit()),
+            .is_none_or(|path| openness(&lines.positions, &path) >= rule.openness * unit),
     }
 }
 

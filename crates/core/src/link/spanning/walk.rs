@@ -7,14 +7,14 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// Shortest-path walker with counter stamps in place of cleared flags (Gumhold 2001, section 3.2).
-pub(crate) struct Walker {
+pub(crate) struct Walker<'a> {
     stamp: Vec<u32>,
     now: u32,
     /// Where each vertex was reached from, valid for the present stamp.
     from: Vec<u32>,
     reached: Vec<f64>,
     heap: BinaryHeap<(Reverse<Length>, Reverse<u32>)>,
-    metric: Metric,
+    metric: Metric<'a>,
 }
 
 /// A length with a total order.
@@ -35,9 +35,9 @@ impl Ord for Length {
     }
 }
 
-impl Walker {
+impl<'a> Walker<'a> {
     /// A walker for graphs of `vertices` vertices.
-    pub fn new(vertices: usize, metric: Metric) -> Self {
+    pub fn new(vertices: usize, metric: Metric<'a>) -> Self {
         Self {
             stamp: vec![0; vertices],
             now: 0,
@@ -52,8 +52,10 @@ impl Walker {
     pub fn length(&self, lines: &LineGraph, a: u32, b: u32) -> f64 {
         match self.metric {
             Metric::Edges => 1.0,
-            Metric::Lengths(unit) => {
-                distance(lines.positions[a as usize], lines.positions[b as usize]) / unit
+            Metric::Lengths(scales) => {
+                let [a, b] = [a as usize, b as usize];
+                let unit = scales.between(lines.points[a], lines.points[b]);
+                distance(lines.positions[a], lines.positions[b]) / unit
             }
         }
     }

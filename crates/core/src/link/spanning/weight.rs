@@ -3,7 +3,7 @@
 use crate::math::vec3::{add_scaled, dot, norm, scale, sub};
 use crate::measure::{Direction, Penalties};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 use rayon::prelude::*;
 
 /// Greatest length of an edge in mean distances to the direct neighbours, at the end where those are less.
@@ -26,7 +26,7 @@ pub(crate) fn candidate_edges(
     graph: &Neighbors,
     density: &[f32],
     penalties: &Penalties,
-    resolution: Resolution,
+    scales: Scales,
     tau: f64,
     hops: usize,
 ) -> Vec<Candidate> {
@@ -39,7 +39,7 @@ pub(crate) fn candidate_edges(
             let edges = near.filter_map(|other| {
                 let b = penalties.points.binary_search(other).ok()?;
                 let density = [own, *other].map(|i| f64::from(density[i as usize]));
-                weigh(penalties, a, b, density, resolution, tau)
+                weigh(penalties, a, b, density, scales.between(own, *other), tau)
             });
             edges.collect::<Vec<_>>()
         })
@@ -60,13 +60,13 @@ fn order(x: &Candidate, y: &Candidate) -> std::cmp::Ordering {
 
 /// The weight of the edge between the candidates `a` and `b`; `None` at or above `tau`, and for an
 /// edge that is far longer than the sampling at its denser end: it leads to a stray point. `density` is that of both, zero
-/// where unknown.
+/// where unknown; `spacing` is the length of one there.
 fn weigh(
     penalties: &Penalties,
     a: usize,
     b: usize,
     density: [f64; 2],
-    resolution: Resolution,
+    spacing: f64,
     tau: f64,
 ) -> Option<Candidate> {
     let edge = sub(penalties.foot[b], penalties.foot[a]);
@@ -74,7 +74,7 @@ fn weigh(
     if length > LONGEST_EDGE * density[0].min(density[1]) && density[0].min(density[1]) > 0.0 {
         return None;
     }
-    let directional: f64 = [a, b].map(|i| directional(penalties, i, edge, length, resolution)).iter().sum();
+    let directional: f64 = [a, b].map(|i| directional(penalties, i, edge, length, spacing)).iter().sum();
     let scalar = f64::from(penalties.scalar[a] + penalties.scalar[b]);
     // w_c with omega_kappa, omega_cr and omega_co, or w_b with omega_b2 and omega_b1: the penalties, then the length.
     let share = penalties.share * scalar + (1.0 - penalties.share) * directional;
@@ -84,7 +84,7 @@ fn weigh(
 }
 
 /// The vector penalty of one end of an edge, bounded by its corner penalty.
-fn directional(penalties: &Penalties, i: usize, edge: [f64; 3], length: f64, resolution: Resolution) -> f64 {
+fn directional(penalties: &Penalties, i: usize, edge: [f64; 3], length: f64, spacing: f64) -> f64 {
     let vector = penalties.vector[i].map(f64::from);
     let penalty = match penalties.direction {
         Direction::Along if length > 0.0 => dot(vector, edge).abs() / length,
@@ -93,7 +93,7 @@ fn directional(penalties: &Penalties, i: usize, edge: [f64; 3], length: f64, res
             let certainty = norm(vector);
             let unit = scale(vector, 1.0 / certainty.max(1e-9));
             let across = norm(add_scaled(edge, unit, -dot(edge, unit)));
-            certainty * (across / resolution.unit()).min(1.0)
+            certainty * (across / spacing).min(1.0)
         }
     };
     penalty.min(f64::from(penalties.corner[i]))

@@ -1,0 +1,191 @@
+//! Clutter: the points that lie on no surface.
+//!
+//! Leaves, rain, stray returns and the veils of returns between two surfaces make links through the air, and a chain of them looks
+//! like a crease, as both of its sides are empty. One point without support in a plane says little: edges, wires and faces a few
+//! spacings wide have many. So clutter is a piece: points among which most lack support, of which some lie deep in such a
+//! crowd, or which touch no surface at all. Beside that, a point without support is clutter where it stands alone, as a stray return
+//! and the thread of a veil do; what lies among clutter is drawn into it, and islands in it are too small to be surface.
+
+use super::support::{Plane, supported};
+use crate::math::union_find::UnionFind;
+use crate::math::vec3::distance;
+use crate::neighbors::Neighbors;
+use crate::resolution::Resolution;
+use rayon::prelude::*;
+
+/// Points with less company than this in a plane have no support.
+const SUPPORT: usize = 8;
+/// Share of the neighbours without support from which on a point is in a crowd of such; and of those in a crowd from which on it
+/// lies deep in it.
+const CROWD: (f64, f64) = (0.5, 0.75);
+/// A crowd is clutter if this many of its points lie deep in it.
+const DEEP: u32 = 12;
+/// Links are at most this long, spacings at the denser end.
+const LINK: f64 = 3.0;
+/// Distance of its nearest neighbours, in that of theirs, from which on a point stands alone.
+const ALONE: f32 = 1.5;
+/// Share of the neighbours in clutter from which on a point is drawn into it: without support, and with it.
+const DRAWN: (f64, f64) = (0.2, 0.5);
+/// Rounds in which points are drawn into clutter: it grows by no more than as many neighbours.
+const ROUNDS: usize = 3;
+/// Fewest points of a piece of surface.
+const ISLAND: u32 = 24;
+
+/// `(N)` whether each point is clutter. `nearest` are the lists of nearest neighbours in order of distance, `raw` the mean
+/// distance of the first of them, `spacing` the same smoothed.
+pub(super) fn clutter(
+    points: &[[f64; 3]],
+    nearest: &Neighbors,
+    planes: &[Plane],
+    raw: &[f32],
+    spacing: &[f32],
+    mean: Resolution,
+) -> Vec<bool> {
+    let bare: Vec<bool> =
+        supported(points, nearest, planes, spacing, mean, SUPPORT).iter().map(|s| !s).collect();
+    if !bare.iter().any(|&b| b) {
+        return bare;
+    }
+    let crowd = where_share(nearest, &bare, CROWD.0);
+    let deep = where_share(nearest, &crowd, CROWD.1);
+    let mut clutter = pieces(points, nearest, spacing, &crowd, &deep);
+    let each = || (0..points.len()).into_par_iter().with_min_len(1024);
+    clutter = each().map(|i| clutter[i] || (bare[i] && raw[i] > ALONE * spacing[i])).collect();
+    for _ in 0..ROUNDS {
+        let [little, most] = [DRAWN.0, DRAWN.1].map(|share| where_share(nearest, &clutter, share));
+        clutter = each().map(|i| clutter[i] || most[i] || (bare[i] && little[i])).collect();
+    }
+    leave_islands(points, nearest, spacing, &mut clutter);
+    clutter
+}
+
+/// What is left in pieces too small for a surface is clutter as well.
+fn leave_islands(points: &[[f64; 3]], nearest: &Neighbors, spacing: &[f32], clutter: &mut [bool]) {
+    let mut sets = UnionFind::new(points.len());
+    for i in (0..points.len()).filter(|&i| !clutter[i]) {
+        for j in nearest.of(i).iter().map(|&j| j as usize).filter(|&j| !clutter[j]) {
+            let reach = LINK * f64::from(spacing[i].min(spacing[j]));
+            if distance(points[i], points[j]) <= reach {
+                sets.union(i as u32, j as u32);
+            }
+        }
+    }
+    let mut sizes = vec![0_u32; points.len()];
+    (0..points.len()).filter(|&i| !clutter[i]).for_each(|i| sizes[sets.find(i as u32) as usize] += 1);
+    (0..points.len()).for_each(|i| clutter[i] |= sizes[sets.find(i as u32) as usize] < ISLAND);
+}
+
+/// `(N)` whether more than a share of the neighbours of each point are marked.
+fn where_share(nearest: &Neighbors, marked: &[bool], share: f64) -> Vec<bool> {
+    let over = |i: usize| {
+        let near = nearest.of(i);
+        near.iter().filter(|&&j| marked[j as usize]).count() as f64 > share * near.len() as f64
+    };
+    (0..marked.len()).into_par_iter().with_min_len(1024).map(over).collect()
+}
+
+/// Of the points in crowds those of pieces that are clutter.
+fn pieces(
+    points: &[[f64; 3]],
+    nearest: &Neighbors,
+    spacing: &[f32],
+    crowd: &[bool],
+    deep: &[bool],
+) -> Vec<bool> {
+    let mut sets = UnionFind::new(points.len());
+    let mut touching = vec![false; points.len()];
+    for i in (0..points.len()).filter(|&i| crowd[i]) {
+        for j in nearest.of(i).iter().map(|&j| j as usize) {
+            let reach = LINK * f64::from(spacing[i].min(spacing[j]));
+            if distance(points[i], points[j]) <= reach {
+                if crowd[j] {
+                    sets.union(i as u32, j as u32);
+                } else {
+                    touching[i] = true;
+                }
+            }
+        }
+    }
+    let (mut depth, mut touches) = (vec![0_u32; points.len()], vec![false; points.len()]);
+    for i in (0..points.len()).filter(|&i| crowd[i]) {
+        let piece = sets.find(i as u32) as usize;
+        depth[piece] += u32::from(deep[i]);
+        touches[piece] |= touching[i];
+    }
+    let mut is_clutter = |i: usize| {
+        let piece = sets.find(i as u32) as usize;
+        crowd[i] && (depth[piece] >= DEEP || !touches[piece])
+    };
+    (0..points.len()).map(&mut is_clutter).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::neighbors::{all_nearest, riemannian};
+    use crate::resolution::Resolution;
+    use crate::surface::{CLUTTER, standing};
+
+    /// Numbers from 0 to 1, the same each time.
+    fn random(seed: &mut u64) -> f64 {
+        *seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (*seed >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// Which points are clutter.
+    fn clutter(points: &[[f64; 3]]) -> Vec<bool> {
+        let nearest = all_nearest(points, 12);
+        let mean = Resolution::estimate(points, &nearest, &riemannian::graph(points, &nearest));
+        let stands = standing(points, &nearest, mean);
+        (0..points.len()).map(|i| stands.get(i) == Some(&CLUTTER)).collect()
+    }
+
+    /// Two walls of a room, with a point a square spacing and 2 % noise.
+    fn room(seed: &mut u64) -> Vec<[f64; 3]> {
+        let mut at = |i: f64| i + 0.8 * random(seed);
+        let cells = |n: u32| (0..n * n).map(move |k| [f64::from(k % n), f64::from(k / n)]);
+        let floor: Vec<[f64; 3]> = cells(60).map(|[i, j]| [at(i), at(j), 0.0]).collect();
+        floor.into_iter().chain(cells(60).map(|[i, j]| [0.0, at(i), at(j)])).collect()
+    }
+
+    #[test]
+    fn stray_points_and_leaves_are_clutter_and_walls_are_not() {
+        let mut seed = 3;
+        let mut points = room(&mut seed);
+        let walls = points.len();
+        for _ in 0..60 {
+            points.push([0; 3].map(|_: i32| 4.0 + 50.0 * random(&mut seed)));
+        }
+        let strays = points.len();
+        for _ in 0..3000 {
+            points.push([30.0, 30.0, 30.0].map(|c| c + 9.0 * (random(&mut seed) + random(&mut seed) - 1.0)));
+        }
+        let found = clutter(&points);
+        let share = |some: &[bool]| some.iter().filter(|&&c| c).count() as f64 / some.len() as f64;
+        assert!(share(&found[..walls]) < 0.002, "{} of the walls", share(&found[..walls]));
+        assert!(share(&found[walls..strays]) > 0.95, "{} of the strays", share(&found[walls..strays]));
+        assert!(share(&found[strays..]) > 0.95, "{} of the leaves", share(&found[strays..]));
+    }
+
+    #[test]
+    fn three_points_far_away_are_clutter() {
+        let mut points = room(&mut 5);
+        points.extend([[1e5, 0.0, 0.0], [0.0, 1e5, 3.0], [1e5, 1e5, 1e5]]);
+        let found = clutter(&points);
+        assert_eq!(found.iter().filter(|&&c| c).count(), 3);
+        assert!(found[points.len() - 3..].iter().all(|&c| c));
+    }
+
+    #[test]
+    fn a_rod_and_a_sheet_two_spacings_wide_stay() {
+        let mut seed = 7;
+        let mut points = room(&mut seed);
+        let walls = points.len();
+        for k in 0..200 {
+            points.push([20.0, 20.0, 5.0 + 0.2 * f64::from(k)]);
+            points.push([30.0 + 0.7 * f64::from(k % 3), 30.0, 5.0 + 0.2 * f64::from(k)]);
+        }
+        let found = clutter(&points);
+        let lost = found[walls..].iter().filter(|&&c| c).count();
+        assert!(lost < 12, "{lost} of 400");
+    }
+}

@@ -1,0 +1,101 @@
+//! Support: how many of the points around a point lie with it in one plane.
+//!
+//! A surface gives its points company in a plane, at an edge in one of two; leaves, rain and stray returns fill a volume. Of the planes
+//! of the point and of its nearest neighbours, each fitted to a handful of points, the best one that holds the point counts, as
+//! in the consensus of the normals (`detect/consensus.rs`).
+
+use crate::math::tensor::ellipsoid;
+use crate::math::vec3::{dot, sub};
+use crate::neighbors::{Found, Index, Neighbors};
+use crate::resolution::Resolution;
+use rayon::prelude::*;
+
+/// Neighbours that a plane is fitted to, and whose planes are tried.
+const FITTED: usize = 8;
+/// Neighbours that are counted.
+const COUNTED: usize = 24;
+/// Farthest neighbour that counts, local spacings: company that is far is none.
+const NEAR: f64 = 4.0;
+/// Distance from a plane up to which a point lies in it: local spacings, or standard deviations of the noise.
+const IN_PLANE: (f64, f64) = (0.15, 3.0);
+
+/// A plane near the point that it was fitted around.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Plane {
+    /// Its centre, from the point.
+    centre: [f32; 3],
+    /// Unit normal without orientation.
+    normal: [f32; 3],
+    /// Unit direction in which its points reach farthest.
+    pub(super) along: [f32; 3],
+    /// Ratio of its points' extents in the plane, at least 1.
+    pub(super) elongation: f32,
+}
+
+/// `(N)` the plane through each point and its nearest neighbours.
+pub(super) fn planes(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<Plane> {
+    let fit = |i: usize| {
+        let near = nearest.of(i);
+        let fit = ellipsoid(points, i, &near[..near.len().min(FITTED)]);
+        let [_, middle, most] = fit.axes.values.map(|x| x.max(0.0));
+        Plane {
+            centre: fit.centre.map(|x| x as f32),
+            normal: fit.axes.vectors[0].map(|x| x as f32),
+            along: fit.axes.vectors[2].map(|x| x as f32),
+            elongation: (most / middle.max(f64::MIN_POSITIVE)).sqrt() as f32,
+        }
+    };
+    (0..points.len()).into_par_iter().with_min_len(1024).map(fit).collect()
+}
+
+/// How far from a plane a point lies in it, at a place of that spacing.
+fn tolerance(spacing: f32, mean: Resolution) -> f64 {
+    (IN_PLANE.0 * f64::from(spacing)).max(IN_PLANE.1 * mean.noise)
+}
+
+/// `(N)` whether at least `enough` of the 24 nearest of every point lie in one plane with it. `spacing` is that at each point. Most points
+/// have enough among those in their list, so that few need a search.
+pub(super) fn supported(
+    points: &[[f64; 3]],
+    nearest: &Neighbors,
+    planes: &[Plane],
+    spacing: &[f32],
+    mean: Resolution,
+    enough: usize,
+) -> Vec<bool> {
+    let index = Index::build(points);
+    let own = |(near, found): &mut (Vec<[f64; 3]>, Vec<Found>), i: usize| {
+        let reach = NEAR * f64::from(spacing[i]);
+        let tolerance = tolerance(spacing[i], mean);
+        let mut gather = |some: &mut dyn Iterator<Item = u32>| {
+            near.clear();
+            let offsets = some.map(|j| sub(points[j as usize], points[i]));
+            near.extend(offsets.take_while(|&d| dot(d, d) <= reach * reach));
+            near.len() >= enough && is_held(points, i, nearest, planes, near, tolerance, enough)
+        };
+        if gather(&mut nearest.of(i).iter().copied()) {
+            return true;
+        }
+        index.nearest(points[i], COUNTED + 1, found);
+        gather(&mut found.iter().map(|f| f.index).filter(|&j| j as usize != i))
+    };
+    (0..points.len()).into_par_iter().with_min_len(1024).map_init(Default::default, own).collect()
+}
+
+/// Whether one of the planes around holds point `i` and at least `enough` of the places `near`, given from it.
+fn is_held(
+    points: &[[f64; 3]],
+    i: usize,
+    nearest: &Neighbors,
+    planes: &[Plane],
+    near: &[[f64; 3]],
+    tolerance: f64,
+    enough: usize,
+) -> bool {
+    [i as u32].iter().chain(nearest.of(i).iter().take(FITTED)).map(|&j| j as usize).any(|j| {
+        let normal = planes[j].normal.map(f64::from);
+        let offset = dot(normal, sub(sub(points[j], points[i]), planes[j].centre.map(|x| -f64::from(x))));
+        let in_plane = |d: &&[f64; 3]| (dot(normal, **d) - offset).abs() <= tolerance;
+        offset.abs() <= tolerance && near.iter().filter(in_plane).nth(enough - 1).is_some()
+    })
+}
