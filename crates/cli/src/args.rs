@@ -63,7 +63,7 @@ pub enum Command {
     /// Find the feature lines of a scan and write them as curves
     #[command(long_about = extract::ABOUT)]
     Extract(Extract),
-    /// Classify each point: 0 smooth, 1 crease, 2 border, 3 corner
+    /// Classify each point: 0 smooth, 1 crease, 2 border, 3 corner, 4 clutter
     #[command(long_about = classify::ABOUT)]
     Classify(Classify),
     /// Divide a scan into its smooth patches and write their points, boundary loops and surfaces

@@ -10,7 +10,7 @@ use super::parse;
 
 /// The head of the long help.
 pub const ABOUT: &str = "\
-Classify each point: 0 smooth, 1 crease, 2 border, 3 corner
+Classify each point: 0 smooth, 1 crease, 2 border, 3 corner, 4 clutter
 
   lineament classify part.ply -o part.npy    the classes alone, as a NumPy array
   lineament classify part.ply -o part.las    the points with class, score and attributes

@@ -8,7 +8,7 @@ use lineament::Cloud;
 pub struct PointTable<'a> {
     /// The points as they were read.
     pub cloud: &'a Cloud,
-    /// `(N)` 0 smooth, 1 crease, 2 border, 3 corner.
+    /// `(N)` 0 smooth, 1 crease, 2 border, 3 corner, 4 clutter.
     pub classes: &'a [u8],
     /// `(N)` scores of the detector, or nothing.
     pub scores: &'a [f32],
