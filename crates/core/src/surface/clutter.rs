@@ -18,8 +18,9 @@ const SUPPORT: usize = 8;
 /// Share of the neighbours without support from which on a point is in a crowd of such; and of those in a crowd from which on it
 /// lies deep in it.
 const CROWD: (f64, f64) = (0.5, 0.75);
-/// A crowd is clutter if this many of its points lie deep in it.
-const DEEP: u32 = 12;
+/// A crowd is clutter if at least as many of its points lie deep in it as the least piece of surface has, and at least this share:
+/// a crowd at a coarsely sampled edge is mostly rim.
+const MOSTLY_DEEP: f64 = 0.5;
 /// Links are at most this long, spacings at the denser end.
 const LINK: f64 = 3.0;
 /// Distance of its nearest neighbours, in that of theirs, from which on a point stands alone.
@@ -106,15 +107,19 @@ fn pieces(
             }
         }
     }
-    let (mut depth, mut touches) = (vec![0_u32; points.len()], vec![false; points.len()]);
+    let (mut size, mut depth, mut touches) =
+        (vec![0_u32; points.len()], vec![0_u32; points.len()], vec![false; points.len()]);
     for i in (0..points.len()).filter(|&i| crowd[i]) {
         let piece = sets.find(i as u32) as usize;
+        size[piece] += 1;
         depth[piece] += u32::from(deep[i]);
         touches[piece] |= touching[i];
     }
     let mut is_clutter = |i: usize| {
         let piece = sets.find(i as u32) as usize;
-        crowd[i] && (depth[piece] >= DEEP || !touches[piece])
+        let is_deep =
+            depth[piece] >= ISLAND && f64::from(depth[piece]) >= MOSTLY_DEEP * f64::from(size[piece]);
+        crowd[i] && (is_deep || !touches[piece])
     };
     (0..points.len()).map(&mut is_clutter).collect()
 }
