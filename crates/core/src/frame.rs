@@ -49,6 +49,22 @@ impl Localised {
         self.repeats.len()
     }
 
+    /// The same, unless its spacing has a square that vanishes in f64. Two points and fewer have no spacing.
+    ///
+    /// # Errors
+    /// [`Error::Extent`] with the longest side.
+    pub fn with_spacing(self) -> Result<Self, Error> {
+        let Self { frame, positions, .. } = &self;
+        let side = |axis: usize| frame.length_to_world(positions.iter().map(|p| p[axis]).fold(0.0, f64::max));
+        let axis = (1..3).fold(0, |best, axis| if side(axis) > side(best) { axis } else { best });
+        // Below the normal numbers the spacing itself is not known.
+        if positions.len() < 3 || frame.scale >= LEAST_SPACING && side(axis) >= LEAST_SPACING {
+            return Ok(self);
+        }
+        let min = frame.offset[axis];
+        Err(Error::Extent { axis, min, max: min + side(axis) })
+    }
+
     /// `(N)` for each input point its canonical index; `u32::MAX` where it was dropped as non-finite.
     pub fn canonical(&self) -> Vec<u32> {
         let read = self.source.len() + self.merged() + self.dropped;
@@ -69,7 +85,7 @@ impl Frame {
     ///
     /// # Errors
     /// [`Error::TooManyPoints`] above `u32::MAX - 1` points; [`Error::Extent`] where coordinates lie more than
-    /// 1e150 apart, so that squared distances could overflow, or so near that they could vanish.
+    /// 1e150 apart, so that squared distances could overflow.
     pub fn localise(world: &Cloud) -> Result<Localised, Error> {
         let points = &world.positions;
         let limit = u32::MAX as usize - 1;
@@ -84,20 +100,7 @@ impl Frame {
         positions.par_iter_mut().for_each(|p| *p = p.map(|x| x * to_local));
         let finite = positions.len();
         let repeats = if levels[LEVELS] > 0 { merge(&mut positions, &mut source) } else { Vec::new() };
-        frame.refuse_tiny(&positions)?;
         Ok(Localised { frame, positions, source, repeats, dropped: points.len() - finite })
-    }
-
-    /// Refuses clouds whose spacing has a square that vanishes in f64. Two points and fewer have no spacing.
-    fn refuse_tiny(&self, positions: &[[f64; 3]]) -> Result<(), Error> {
-        let side = |axis: usize| self.length_to_world(positions.iter().map(|p| p[axis]).fold(0.0, f64::max));
-        let axis = (1..3).fold(0, |best, axis| if side(axis) > side(best) { axis } else { best });
-        // Below the normal numbers the spacing itself is not known.
-        if positions.len() < 3 || self.scale >= LEAST_SPACING && side(axis) >= LEAST_SPACING {
-            return Ok(());
-        }
-        let min = self.offset[axis];
-        Err(Error::Extent { axis, min, max: min + side(axis) })
     }
 
     /// The world coordinates of a local point.

@@ -45,8 +45,8 @@ pub(crate) fn prepare(world: &Cloud, params: &Params, clock: &mut Clock) -> Resu
     let (mut canonical, local) =
         clock.run(Stage::Localise, || Frame::localise(world).map(|local| (local.canonical(), local)))?;
     let merged = local.merged();
-    let Localised { frame, mut positions, mut source, dropped, .. } = local;
-    refuse_degenerate(world.len(), &positions)?;
+    refuse_degenerate(world.len(), &local.positions)?;
+    let Localised { frame, mut positions, mut source, dropped, .. } = local.with_spacing()?;
     let mut joined = clock.run(Stage::Neighbors, || Joined::new(&positions, params));
     let mut clutter = Vec::new();
     if params.surface.clutter == Clutter::LeaveOut {

@@ -35,7 +35,7 @@ use surface::tiles::Tiles;
 /// [`Error::Parameter`] for a value outside its range; those of [`Frame::localise`].
 pub fn section(cloud: &Cloud, params: &SectionParams) -> Result<Sections, Error> {
     params.check()?;
-    let local = Frame::localise(cloud)?;
+    let local = Frame::localise(cloud)?.with_spacing()?;
     Ok(sections(&local, &Index::build(&local.positions), params, &|_| ())?.0)
 }
 
@@ -50,7 +50,7 @@ pub fn section_observed(
     observe: &(dyn Fn(f64) + Sync),
 ) -> Result<(Sections, Stack), Error> {
     params.check()?;
-    let local = Frame::localise(cloud)?;
+    let local = Frame::localise(cloud)?.with_spacing()?;
     let index = Index::build(&local.positions);
     let (sections, tiles) = sections(&local, &index, params, observe)?;
     let stack =

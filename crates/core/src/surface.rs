@@ -27,8 +27,8 @@ pub fn standing(points: &[[f64; 3]], nearest: &Neighbors, mean: Resolution) -> V
     let raw = scales::raw(points, nearest);
     let spacing = scales::smoothed(raw.clone(), nearest);
     let planes = support::planes(points, nearest);
-    let mut stands = thin::thin(points, nearest, &planes, &spacing);
-    let clutter = clutter::clutter(points, nearest, &planes, &raw, &spacing, mean);
+    let (mut stands, in_row) = thin::thin(points, nearest, &planes, &spacing);
+    let clutter = clutter::clutter(points, nearest, &planes, &raw, &spacing, &in_row, mean);
     let count = clutter.iter().filter(|&&c| c).count();
     if (points.len() - count) as f64 >= LEAST_SURFACE * points.len() as f64 {
         leave_out(&mut stands, &clutter);

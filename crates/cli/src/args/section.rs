@@ -20,6 +20,10 @@ With --fit:
   extrusions, holes, tapers, revolutions, mirror planes and repeated outlines, each with its range and error. A run
   needs two slices or more (revolutions four): cut several through the thinnest feature that matters.
 
+Parameters:
+  The options are shorthands: --outline hull is --set section.outline=hull. `lineament params` lists these and others under
+  [section]; --params reads them from a file.
+
 Examples:
   lineament section part.ply -o part.dxf --axis z --count 20        20 slices through the whole part
   lineament section scan.ply -o plan.svg -o plan.json --at=1.2      a floor plan at one height

@@ -76,7 +76,7 @@ fn file_lines(text: &mut String, input: &Input) {
 }
 
 fn cloud_lines(text: &mut String, cloud: &Cloud) -> Result<(), Failure> {
-    let local = Frame::localise(cloud)?;
+    let local = Frame::localise(cloud)?.with_spacing()?;
     line(text, "not finite", grouped(local.dropped));
     line(text, "duplicates", grouped(local.merged()));
     if local.positions.is_empty() {

@@ -38,7 +38,10 @@ fn one_point_of_every_voxel_is_read() {
 fn bounds_that_hold_no_point_are_refused_and_say_so() {
     let sandbox = Sandbox::new();
     sandbox.write_points("cube.xyz", &cube());
-    sandbox.run(&["extract", "cube.xyz", "--bounds", "50,50,50,60,60,60"]).expect(4).says(&["0 distinct"]);
+    sandbox
+        .run(&["extract", "cube.xyz", "--bounds", "50,50,50,60,60,60"])
+        .expect(3)
+        .says(&["none of 386 points", "bounds [50.0"]);
     assert_eq!(sandbox.files(), ["cube.xyz"]);
 }
 

@@ -15,8 +15,10 @@ use crate::report::{Clock, Report};
 pub struct Marked {
     /// Counts and estimates; the stages are not timed.
     pub report: Report,
-    /// `(N)` for each point of the input its canonical index; `u32::MAX` if it was dropped.
+    /// `(N)` for each point of the input its canonical index; `u32::MAX` if it was dropped or is clutter.
     pub canonical: Vec<u32>,
+    /// The points of the input that are clutter, ascending.
+    pub clutter: Vec<u32>,
     /// For each detector asked for, in that order, its scores and marks; canonical order.
     pub marks: Vec<(Detector, Marks)>,
 }
@@ -39,7 +41,7 @@ pub fn mark(world: &Cloud, params: &Params, detectors: &[Detector]) -> Result<Ma
         notes: warned.into_iter().collect(),
         ..cloud.report()
     };
-    Ok(Marked { report, canonical: cloud.canonical, marks })
+    Ok(Marked { report, canonical: cloud.canonical, clutter: cloud.clutter, marks })
 }
 
 fn setting(detector: Detector, marks: &Marks) -> (String, String) {
@@ -55,12 +57,19 @@ impl Marked {
     /// smooth, and all are if there is no such detector.
     pub fn classes(&self, which: usize) -> Vec<Class> {
         let classes = self.marks.get(which).map(|(_, marks)| marks.classes()).unwrap_or_default();
-        self.canonical.iter().map(|&c| classes.get(c as usize).copied().unwrap_or_default()).collect()
+        let of_point = |&c: &u32| classes.get(c as usize).copied().unwrap_or_default();
+        let mut classes: Vec<Class> = self.canonical.iter().map(of_point).collect();
+        self.clutter.iter().for_each(|&i| classes[i as usize] = Class::Clutter);
+        classes
     }
 
-    /// `(N)` the scores of the `which`-th detector asked for, 0 to 1, in the order of the input; NaN for dropped points.
+    /// `(N)` the scores of the `which`-th detector asked for, 0 to 1, in the order of the input; NaN for dropped points,
+    /// zero for clutter.
     pub fn scores(&self, which: usize) -> Vec<f32> {
         let scores = self.marks.get(which).map(|(_, marks)| marks.score.as_slice()).unwrap_or_default();
-        self.canonical.iter().map(|&c| scores.get(c as usize).copied().unwrap_or(f32::NAN)).collect()
+        let of_point = |&c: &u32| scores.get(c as usize).copied().unwrap_or(f32::NAN);
+        let mut scores: Vec<f32> = self.canonical.iter().map(of_point).collect();
+        self.clutter.iter().for_each(|&i| scores[i as usize] = 0.0);
+        scores
     }
 }

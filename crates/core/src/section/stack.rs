@@ -39,7 +39,7 @@ fn tolerance(sections: &Sections, params: &SectionParams) -> f64 {
 /// # Errors
 /// Those of [`Frame::localise`].
 pub fn stack(cloud: &Cloud, sections: &Sections, params: &SectionParams) -> Result<Stack, Error> {
-    let local = Frame::localise(cloud)?;
+    let local = Frame::localise(cloud)?.with_spacing()?;
     let index = Index::build(&local.positions);
     let tiles = Tiles::new(&index, sections.noise, sections.frame.axes[2]);
     Ok(of(&local, &index, &tiles, sections, params))

@@ -33,13 +33,14 @@ const ROUNDS: usize = 3;
 const ISLAND: u32 = 24;
 
 /// `(N)` whether each point is clutter. `nearest` are the lists of nearest neighbours in order of distance, `raw` the mean
-/// distance of the first of them, `spacing` the same smoothed.
+/// distance of the first of them, `spacing` the same smoothed; at the end of a row they are farther than within it, which `in_row` tells.
 pub(super) fn clutter(
     points: &[[f64; 3]],
     nearest: &Neighbors,
     planes: &[Plane],
     raw: &[f32],
     spacing: &[f32],
+    in_row: &[bool],
     mean: Resolution,
 ) -> Vec<bool> {
     let bare: Vec<bool> =
@@ -51,7 +52,7 @@ pub(super) fn clutter(
     let deep = where_share(nearest, &crowd, CROWD.1);
     let mut clutter = pieces(points, nearest, spacing, &crowd, &deep);
     let each = || (0..points.len()).into_par_iter().with_min_len(1024);
-    clutter = each().map(|i| clutter[i] || (bare[i] && raw[i] > ALONE * spacing[i])).collect();
+    clutter = each().map(|i| clutter[i] || (bare[i] && !in_row[i] && raw[i] > ALONE * spacing[i])).collect();
     for _ in 0..ROUNDS {
         let [little, most] = [DRAWN.0, DRAWN.1].map(|share| where_share(nearest, &clutter, share));
         clutter = each().map(|i| clutter[i] || most[i] || (bare[i] && little[i])).collect();

@@ -20,8 +20,14 @@ const FARTHEST: f64 = 24.0;
 /// Distance of the points that stay, as a share of the distance of the rows.
 const STAY: f64 = 0.5;
 
-/// `(N)` the point that stands for each: itself, or the one kept beside it where a row is thinned.
-pub(super) fn thin(points: &[[f64; 3]], nearest: &Neighbors, planes: &[Plane], spacing: &[f32]) -> Vec<u32> {
+/// `(N)` the point that stands for each: itself, or the one kept beside it where a row is thinned; and `(N)` whether each lies in a row
+/// with another beside it.
+pub(super) fn thin(
+    points: &[[f64; 3]],
+    nearest: &Neighbors,
+    planes: &[Plane],
+    spacing: &[f32],
+) -> (Vec<u32>, Vec<bool>) {
     let long: Vec<bool> = planes.par_iter().map(|p| p.elongation > ELONGATED).collect();
     let row = |&i: &u32| {
         let near = nearest.of(i as usize);
@@ -30,7 +36,7 @@ pub(super) fn thin(points: &[[f64; 3]], nearest: &Neighbors, planes: &[Plane], s
     let rows: Vec<u32> = (0..points.len() as u32).into_par_iter().filter(row).collect();
     let mut stands: Vec<u32> = (0..points.len() as u32).collect();
     if rows.is_empty() {
-        return stands;
+        return (stands, vec![false; points.len()]);
     }
     let index = Index::build(points);
     let gaps: Vec<f64> = rows
@@ -50,7 +56,7 @@ pub(super) fn thin(points: &[[f64; 3]], nearest: &Neighbors, planes: &[Plane], s
             }
         }
     }
-    stands
+    (stands, reach.iter().map(|&r| r > 0.0).collect())
 }
 
 /// The distance from point `i` to the next row; zero where there is none.
@@ -104,7 +110,10 @@ mod tests {
         };
         let points: Vec<[f64; 3]> = (0..4000).map(at).collect();
         let stands = standing(&points, &all_nearest(&points, 12), Resolution { spacing: 1.0, noise: 0.01 });
-        assert!(stands.iter().all(|&s| stands[s as usize] == s), "what stands for another stands for itself");
+        assert!(
+            stands.iter().all(|&s| stands.get(s as usize) == Some(&s)),
+            "what stands for another stands for itself"
+        );
         let stay = stands.iter().zip(0..).filter(|&(&s, i)| s == i).count();
         if stands.is_empty() { 1.0 } else { stay as f64 / stands.len() as f64 }
     }

@@ -16,6 +16,7 @@ use crate::source::{Shared, Source, Window};
 use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use ::parquet::data_type::DataType;
 use ::parquet::errors::{ParquetError, Result as ParquetResult};
+use ::parquet::file::metadata::ParquetMetaData;
 use ::parquet::file::reader::{ChunkReader, FileReader, Length, SerializedFileReader};
 use bytes::Bytes;
 use lineament::{Attribute, Column};
@@ -100,12 +101,7 @@ fn decode(source: &Source, options: &ReadOptions, shared: &Shared) -> Result<Dec
     let metadata = file.metadata();
     let mut out = Decoded::default();
     let mut wanted = schema::wanted(source, metadata.file_metadata().schema_descr(), options, &mut out)?;
-    let counts = metadata.row_groups().iter().map(|group| u64::try_from(group.num_rows()).ok());
-    let rows = counts.into_iter().try_fold(0u64, |sum, count| sum.checked_add(count?));
-    let stated = u64::try_from(metadata.file_metadata().num_rows()).ok();
-    let Some(rows) = rows.filter(|rows| Some(*rows) == stated) else {
-        return Err(fault(source, shared.length(), format!("{stated:?} rows, but {rows:?} in groups")));
-    };
+    let rows = rows(metadata).map_err(|found| fault(source, shared.length(), found))?;
     let attributes = wanted.iter().filter(|column| column.axis.is_none());
     let row_bytes = 24 + TRANSIENT + attributes.map(Wanted::bytes).sum::<usize>();
     limit::check(source, options, rows, row_bytes)?;
@@ -124,15 +120,13 @@ fn decode(source: &Source, options: &ReadOptions, shared: &Shared) -> Result<Dec
                 column.reserve(count);
             }
             let read = group_column(values, count, column).map_err(failed)?;
-            if read < count && !options.salvage {
-                // All pages are there, so that nothing is cut off.
-                let found = format!(
-                    "column `{}` of row group {index}, whose pages hold {read} of {count} rows",
-                    column.name
-                );
-                return Err(fault(source, group.column(column.index).byte_range().0, found));
-            }
             if read < count {
+                // All pages are there, so that nothing is cut off.
+                let name = &column.name;
+                let found =
+                    format!("column `{name}` of row group {index}, whose pages hold {read} of {count} rows");
+                let place = group.column(column.index).byte_range().0;
+                options.salvage.then_some(()).ok_or_else(|| fault(source, place, found))?;
                 out.cut(source, options, "rows", rows, first as u64)?;
                 out.cloud.positions.truncate(first);
                 wanted.iter_mut().for_each(|column| crate::columns::truncate(&mut column.values, first));
@@ -147,6 +141,15 @@ fn decode(source: &Source, options: &ReadOptions, shared: &Shared) -> Result<Dec
         first += count;
     }
     Ok(finish(out, wanted))
+}
+
+/// Rows of all groups, which must be as many as the file states.
+fn rows(metadata: &ParquetMetaData) -> Result<u64, String> {
+    let counts = metadata.row_groups().iter().map(|group| u64::try_from(group.num_rows()).ok());
+    let rows = counts.into_iter().try_fold(0u64, |sum, count| sum.checked_add(count?));
+    let stated = u64::try_from(metadata.file_metadata().num_rows()).ok();
+    let agreed = rows.filter(|rows| Some(*rows) == stated);
+    agreed.ok_or_else(|| format!("{stated:?} rows, but {rows:?} in groups"))
 }
 
 fn finish(mut out: Decoded, wanted: Vec<Wanted>) -> Decoded {

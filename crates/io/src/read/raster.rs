@@ -26,22 +26,7 @@ pub(crate) fn begins(word: &[u8]) -> bool {
 /// Reads a grid.
 pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
     source.detect_terminator()?;
-    let header = header(source)?;
-    let lacks = |what: &str| {
-        source.malformed_line(
-            format!("a grid without `{what}`"),
-            "its header must give ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, and cellsize",
-        )
-    };
-    let columns = header.columns.filter(|&count| count > 0).ok_or_else(|| lacks("ncols"))?;
-    let rows = header.rows.ok_or_else(|| lacks("nrows"))?;
-    let mut first = [0.0; 2];
-    let mut cell = [0.0; 2];
-    for (axis, name) in ["x", "y"].into_iter().enumerate() {
-        let (corner, middle) = header.corner[axis].ok_or_else(|| lacks(&format!("{name}llcorner")))?;
-        cell[axis] = header.cell[axis].filter(|&size| size > 0.0).ok_or_else(|| lacks("cellsize"))?;
-        first[axis] = corner + if middle { 0.0 } else { 0.5 * cell[axis] };
-    }
+    let Grid { columns, rows, first, cell, none } = header(source)?.grid(source)?;
     let count = columns.saturating_mul(rows);
     let mut out = Decoded::default();
     out.cloud.positions.reserve_exact(room(source, count, 2));
@@ -61,7 +46,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         // Rows come from the north.
         let [x, y] = [done % columns, rows - 1 - done / columns].map(|index| index as f64);
         done += 1;
-        if header.none == Some(height) {
+        if none == Some(height) {
             empty += 1;
         } else {
             out.cloud.positions.push([first[0] + x * cell[0], first[1] + y * cell[1], height]);
@@ -76,6 +61,16 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         out.ignored.push(format!("{empty} cells without a height"));
     }
     Ok(out)
+}
+
+/// A grid of heights.
+struct Grid {
+    columns: u64,
+    rows: u64,
+    /// The middle of the cell in the southwest, and the sides of a cell.
+    first: [f64; 2],
+    cell: [f64; 2],
+    none: Option<f64>,
 }
 
 /// The header: lines of a key and its value.
@@ -101,6 +96,25 @@ fn header(source: &mut Source) -> Result<Header, Error> {
 }
 
 impl Header {
+    /// The grid, if all is there that it needs.
+    fn grid(&self, source: &Source) -> Result<Grid, Error> {
+        let lacks = |what: &str| {
+            source.malformed_line(
+                format!("a grid without `{what}`"),
+                "its header must give ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, and cellsize",
+            )
+        };
+        let columns = self.columns.filter(|&count| count > 0).ok_or_else(|| lacks("ncols"))?;
+        let rows = self.rows.ok_or_else(|| lacks("nrows"))?;
+        let (mut first, mut cell) = ([0.0; 2], [0.0; 2]);
+        for (axis, name) in ["xllcorner", "yllcorner"].into_iter().enumerate() {
+            let (corner, middle) = self.corner[axis].ok_or_else(|| lacks(name))?;
+            cell[axis] = self.cell[axis].filter(|&size| size > 0.0).ok_or_else(|| lacks("cellsize"))?;
+            first[axis] = corner + if middle { 0.0 } else { 0.5 * cell[axis] };
+        }
+        Ok(Grid { columns, rows, first, cell, none: self.none })
+    }
+
     /// Takes a key; `None` if there is no such key, or its value is none.
     fn take(&mut self, key: &[u8], value: &[u8]) -> Option<()> {
         let number = || parse(value).filter(|number| number.is_finite());

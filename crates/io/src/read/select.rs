@@ -34,30 +34,9 @@ pub(super) fn select(
         }
         *kept = next;
     };
-    if !options.classes.is_empty() {
-        let class = column(name, cloud, "classification")?;
-        let next: Vec<usize> = kept
-            .iter()
-            .copied()
-            .filter(|&i| options.classes.iter().any(|&c| class(i) == f64::from(c)))
-            .collect();
-        step(&mut kept, next, "of other classes");
-    }
-    if let Some(returns) = options.returns {
-        let (number, count) =
-            (column(name, cloud, "return_number")?, column(name, cloud, "number_of_returns")?);
-        let wanted = |&i: &usize| match returns {
-            Returns::First => number(i) <= 1.0,
-            Returns::Last => number(i) >= count(i),
-            Returns::Only => count(i) <= 1.0,
-        };
-        let next = kept.iter().copied().filter(wanted).collect();
-        step(&mut kept, next, "of other returns");
-    }
-    if filters && kept.is_empty() && !cloud.is_empty() {
-        let what = format!("none of {} points is of these classes and returns", cloud.len());
-        let advice = "`lineament classify` of all points as CSV shows which there are".into();
-        return Err(Error::Unsupported { name: name.into(), what, advice });
+    if filters {
+        let next = filtered(name, cloud, options)?;
+        step(&mut kept, next, "of other classes or returns");
     }
     if let Some([low, high]) = options.bounds {
         let inside = |&i: &usize| (0..3).all(|a| (low[a]..=high[a]).contains(&cloud.positions[i][a]));
@@ -74,19 +53,43 @@ pub(super) fn select(
     if let Some(size) = options.voxel.filter(|&size| size > 0.0) {
         finer(name, cloud, &kept, size)?;
         let next = voxels(cloud, &kept, size);
-        if next.len() < FEW && 10 * next.len() < kept.len() {
-            let all = kept.len();
-            warnings.push(format!(
-                "voxels of {size:?} leave {} of {all} points: smaller ones leave more",
-                next.len()
-            ));
-        }
+        warnings.extend(few(next.len(), kept.len(), size));
         step(&mut kept, next, &format!("with a better one in their voxel of {size:?}"));
     }
     if kept.len() < cloud.len() {
         take(cloud, &kept);
     }
     Ok(())
+}
+
+/// A warning where voxels leave few of many points.
+fn few(left: usize, all: usize, size: f64) -> Option<String> {
+    let few = left < FEW && 10 * left < all;
+    few.then(|| format!("voxels of {size:?} leave {left} of {all} points: smaller ones leave more"))
+}
+
+/// The points of the classes and returns asked for.
+fn filtered(name: &str, cloud: &Cloud, options: &ReadOptions) -> Result<Vec<usize>, Error> {
+    let mut kept: Vec<usize> = (0..cloud.len()).collect();
+    if !options.classes.is_empty() {
+        let class = column(name, cloud, "classification")?;
+        kept.retain(|&i| options.classes.iter().any(|&c| class(i) == f64::from(c)));
+    }
+    if let Some(returns) = options.returns {
+        let number = column(name, cloud, "return_number")?;
+        let count = column(name, cloud, "number_of_returns")?;
+        kept.retain(|&i| match returns {
+            Returns::First => number(i) <= 1.0,
+            Returns::Last => number(i) >= count(i),
+            Returns::Only => count(i) <= 1.0,
+        });
+    }
+    if kept.is_empty() && !cloud.is_empty() {
+        let what = format!("none of {} points is of these classes and returns", cloud.len());
+        let advice = "`lineament classify` of all points as CSV shows which there are".into();
+        return Err(Error::Unsupported { name: name.into(), what, advice });
+    }
+    Ok(kept)
 }
 
 /// The values of an attribute, by point.

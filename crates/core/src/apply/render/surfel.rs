@@ -43,7 +43,7 @@ const GREATEST_RADIUS: f64 = 4.0;
 /// # Errors
 /// Those of [`Frame::localise`].
 pub fn surfels(world: &Cloud) -> Result<(Vec<Surfel>, f64), Error> {
-    let local = Frame::localise(world)?;
+    let local = Frame::localise(world)?.with_spacing()?;
     let points = &local.positions;
     let k = NEIGHBORS.min(points.len().saturating_sub(1));
     let blocks = nearest_blocks(points, k, |first, lists| {

@@ -60,6 +60,7 @@ pub(crate) fn positions(region: &[usize], picked: &[usize]) -> Vec<usize> {
     inner
 }
 
+/// Mean distance of the points of a region from its chord: the paper's `avg_dist`, held against its `e`.
 fn mean_distance(band: &Band, region: &[usize]) -> f64 {
     let (a, b) = chord(band, region);
     let sum: f64 = region.iter().map(|&m| onto(a, b, band.marks[m].raw).1).sum();

@@ -39,7 +39,8 @@ impl HasPosition for Site {
     }
 }
 
-/// The marks that the chosen circle of a region touches; none where the region has no triangle.
+/// The marks that the chosen circle of a region touches (the paper's `largest_circle` at its `farthest_vertex`); none where
+/// the region has no triangle.
 fn circle(band: &Band, region: &[usize], bound: f64) -> Vec<usize> {
     let (a, b) = chord(band, region);
     let axis = unit(sub(b, a));

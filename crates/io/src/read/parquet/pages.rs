@@ -26,6 +26,17 @@ pub(super) struct Room {
     pub total: u64,
 }
 
+impl Room {
+    /// Takes a page from what all of them may unpack to.
+    fn take(&mut self, unpacked: u64) -> Result<(), String> {
+        let rest = self.total.checked_sub(unpacked.saturating_add(PAGE));
+        self.total = rest.ok_or_else(|| {
+            format!("a page of {unpacked} bytes, with which the pages unpack to more than twice that")
+        })?;
+        Ok(())
+    }
+}
+
 /// Checks every page of a column against the bytes that are there, and what it unpacks to against the `room`.
 pub(super) fn check(
     source: &Source,
@@ -65,12 +76,7 @@ pub(super) fn check(
         if needed > room.memory {
             return Err(limit::beyond(source, options, at, &format!("a page of {unpacked} bytes")));
         }
-        let Some(rest) = room.total.checked_sub(unpacked.saturating_add(PAGE)) else {
-            let what =
-                format!("a page of {unpacked} bytes, with which the pages unpack to more than twice that");
-            return Err(limit::beyond(source, options, at, &what));
-        };
-        room.total = rest;
+        room.take(unpacked).map_err(|what| limit::beyond(source, options, at, &what))?;
         if !unpack::ends_in_time(shared, codec, &page, body).map_err(|e| source.io(e))? {
             return fail(at, format!("a page that does not unpack to {unpacked} bytes by {codec}"));
         }

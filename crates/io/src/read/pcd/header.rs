@@ -179,12 +179,8 @@ impl Lines {
         let named = |(name, &count): (&String, &u64)| count.saturating_mul(NAMES * name.len() as u64);
         let names = self.names.iter().zip(&counts).map(named).fold(0, u64::saturating_add);
         if numbers.saturating_mul(FIELD).saturating_add(names) > limit::bound(source, options) {
-            return Err(limit::beyond(
-                source,
-                options,
-                0,
-                &format!("a row of {numbers} numbers: COUNT {counts:?}"),
-            ));
+            let what = format!("a row of {numbers} numbers: COUNT {counts:?}");
+            return Err(limit::beyond(source, options, 0, &what));
         }
         let mut fields = Vec::new();
         let mut offset = 0;
