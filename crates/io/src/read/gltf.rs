@@ -50,7 +50,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
             let needed = stated.count.saturating_add(out.cloud.len() as u64).saturating_mul(24);
             if needed > buffers.room(options, text.capacity()) {
                 let what = format!("{} vertices that unpack to {needed} bytes", stated.count);
-                return Err(limit::beyond(source, options, at, &what));
+                return Err(limit::beyond(source, options, 0, &what));
             }
             accessor::append(stated, &buffers, &transform, &mut out.cloud.positions)
                 .map_err(|found| fault(format!("accessor {accessor} {found}")))?;

@@ -18,7 +18,7 @@ fn rows_beyond_those_announced_are_refused() {
     let elements = "element vertex 2\nXYZ\nelement face 1\nproperty list uchar int vertex_indices\n";
     assert_eq!(scan(&ply(elements, "0 0 0\n1 0 0\n3 0 1 1\n\n"), "whole.ply").unwrap().cloud.len(), 2);
     let message = scan(&ply(elements, "0 0 0\n1 0 0\n3 0 1 1\n3 0 1 1\n"), "more.ply").unwrap_err();
-    assert!(message.contains("line 12: more rows than the 2 vertex and 1 face of the header"), "{message}");
+    assert!(message.contains("line 13: more rows than the 2 vertex and 1 face of the header"), "{message}");
     for text in ["OFF\n2 1 0\n0 0 0\n1 0 0\n3 0 1 0\n3 0 1 1\n", "OFF\n2 0 0\n0 0 0\n1 0 0\n2 0 0\n"] {
         let message = scan(text, "more.off").unwrap_err();
         assert!(message.contains("more rows than the 2 vertices"), "{message}");
