@@ -16,7 +16,7 @@ fn marked(cloud: &Cloud, detector: Detector) -> Vec<bool> {
 
 fn marked_with(cloud: &Cloud, params: &Params, detector: Detector) -> Vec<bool> {
     let found = mark(cloud, params, &[detector]).unwrap();
-    found.classes(0).into_iter().map(|class| class != Class::Smooth).collect()
+    found.classes(0).into_iter().map(|class| !matches!(class, Class::Smooth | Class::Clutter)).collect()
 }
 
 fn on_edges(sampled: &Sampled) -> Vec<bool> {
