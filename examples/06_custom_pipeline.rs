@@ -17,7 +17,7 @@ const CANDIDATE: f64 = 0.15;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let cloud =
         cuboid([4.0, 3.0, 2.0]).sample(&Scan::new(Sampling::BlueNoise { count: 8_000 }).seed(3)).cloud;
-    let found = extract_with(&cloud, &Params::default(), &umbrella)?;
+    let found = extract_with(&cloud, &Params::default(), umbrella)?;
 
     // A simple measure is enough for the twelve edges of a block.
     let creases = found.network.strips.iter().filter(|strip| strip.kind == StripKind::Crease);

@@ -73,6 +73,7 @@ pub enum Command {
     #[command(long_about = render::ABOUT)]
     Render(Render),
     /// Cut a scan by planes and write the curves in which they meet its surface
+    #[command(long_about = section::ABOUT)]
     Section(Section),
     /// Cut a scan by planes and write a picture of each slice
     #[command(long_about = slices::ABOUT)]

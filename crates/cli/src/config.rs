@@ -41,7 +41,7 @@ pub fn section(slicing: &Slicing) -> Result<SectionParams, Failure> {
     Ok(settled(Params::default(), &slicing.settings, options)?.section)
 }
 
-/// Parameters under the file, under what `options` set, under `--set` in order; checked.
+/// `params`, overridden by the file, then by the options, then by each `--set` in order; checked.
 fn settled(
     mut params: Params,
     settings: &Settings,

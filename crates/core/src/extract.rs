@@ -45,7 +45,7 @@ pub fn extract_observed(
 pub fn extract_with(
     world: &Cloud,
     params: &Params,
-    detect: &dyn Fn(&[[f64; 3]], &Neighbors, Resolution) -> Measure,
+    detect: impl Fn(&[[f64; 3]], &Neighbors, Resolution) -> Measure,
 ) -> Result<Extraction, Error> {
     let params = Params { method: Method::Penalty, ..params.clone() };
     pipeline(world, &params, &|_| (), &|cloud| {

@@ -9,6 +9,16 @@ use lineament::section::{Axis, Planes, SectionParams};
 use super::groups::{Running, Settings, Source};
 use super::parse;
 
+/// The head of the long help.
+pub const ABOUT: &str = "\
+Cut a scan by planes and write the curves in which they meet its surface
+
+  lineament section part.ply -o part.dxf --axis z --count 20        20 slices through the whole part
+  lineament section part.ply -o part.json --axis auto --count 60 --fit
+                                                                    bores, bosses and steps by name
+
+There is no default output: name at least one with -o. A folder gets NAME.sections.json and NAME.sections.dxf.";
+
 const HELP: &str = "\
 How a slice is drawn:
   Points near the plane are carried to it along the surface, so that a slanted wall stays a thin line; --no-carry
@@ -24,11 +34,8 @@ Parameters:
   The options are shorthands: --outline hull is --set section.outline=hull. `lineament params` lists these and others under
   [section]; --params reads them from a file.
 
-Examples:
-  lineament section part.ply -o part.dxf --axis z --count 20        20 slices through the whole part
+More examples:
   lineament section scan.ply -o plan.svg -o plan.json --at=1.2      a floor plan at one height
-  lineament section part.ply -o part.json --axis auto --count 60 --fit
-                                                                    what bores, bosses and steps it has
   lineament section part.ply -o part.svg --adaptive 16              few slices where nothing changes
   lineament section part.ply -o part.json --axis 1,0,1 --every 2.5 --outline voronoi";
 
@@ -43,8 +50,8 @@ fn help() -> String {
 pub struct Section {
     #[command(flatten)]
     pub source: Source,
-    /// Where to write the sections; the extension says the format. May be given several times; `-` is JSON on standard
-    /// output
+    /// File to write the sections to, in the format of its extension; may be given several times. A folder gets
+    /// NAME.sections.json and NAME.sections.dxf, `{stem}` stands for the name of the input, `-` is JSON on standard output
     #[arg(short, long, value_name = "OUT", required = true, value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
     #[command(flatten)]
@@ -95,7 +102,7 @@ pub struct Slicing {
     /// Project points straight onto the plane instead of carrying them along the surface
     #[arg(long)]
     pub no_carry: bool,
-    /// Fit lines, arcs, circles and splines, and name what the stack of slices shows
+    /// Fit lines, arcs, circles and splines, and name the features of the stack of slices
     #[arg(long)]
     pub fit: bool,
     /// Greatest distance of a fitted curve from its contour, in the unit of the input; implies --fit [default: auto]
@@ -121,7 +128,7 @@ pub enum OutlineName {
 pub enum SideName {
     /// The middle
     Mid,
-    /// Away from what a closed contour encloses
+    /// Away from the inside of a closed contour
     Out,
     /// Towards it
     In,

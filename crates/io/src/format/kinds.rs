@@ -1,4 +1,4 @@
-//! Formats by what they hold.
+//! Formats by content: scans, networks, points, patches, sections.
 
 /// A file format with its uses. A line for help texts stands beside each use that writes.
 #[derive(Clone, Copy, Debug)]

@@ -1,5 +1,5 @@
-//! STL, binary or ascii: the corners of all triangles in order, shared corners as often as they are used. What is
-//! binary is recognised by its length, since many binary files begin with `solid` too.
+//! STL, binary or ascii: the corners of all triangles in order, shared corners as often as they are used. A
+//! binary file is recognised by its length, since many binary files begin with `solid` too.
 
 use super::rows::{Field, Table};
 use super::{Decoded, ReadOptions};

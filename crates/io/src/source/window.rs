@@ -115,7 +115,7 @@ mod tests {
 
     #[test]
     fn windows_read_their_bytes_in_any_order_of_places() {
-        let bytes: Vec<u8> = (0..300_000u32).map(|i| (i * 7 >> 3) as u8).collect();
+        let bytes: Vec<u8> = (0..300_000u32).map(|i| ((i * 7) >> 3) as u8).collect();
         let shared = Shared::new(Box::new(Cursor::new(bytes.clone()))).unwrap();
         for (place, count) in [(0, 10), (299_990, 10), (5, 200_000), (65_530, 12), (3, 4), (131_000, 99_000)]
         {
