@@ -37,7 +37,8 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         .map_err(|error| source.malformed(format!("JSON: {error}"), "the file is damaged, or no glTF"))?;
     let mut out = Decoded::default();
     document.extensions(source, &mut out)?;
-    let at = source.offset();
+    // The text of a pipe is taken in other steps than that of a file: its end is no place to name.
+    let at = if packed { source.offset() } else { 0 };
     let binary = if packed { binary(source)? } else { None };
     let mut buffers = Buffers::new(source, &document, binary);
     let fault = |found: String| source.fault(Place::Byte(at), found, "the file is damaged, or not whole");
