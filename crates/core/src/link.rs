@@ -1,4 +1,4 @@
-//! Linkers: from what the points say to graphs of lines.
+//! Linkers: from the penalties of the points to graphs of lines.
 //!
 //! As printed: `spanning` (Gumhold 2001, sections 3.2 and 3.3) and `clusters` (Demarsin et al. 2007). Ours: `repair`, which
 //! both call in their robust forms.

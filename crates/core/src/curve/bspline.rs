@@ -45,7 +45,7 @@ impl<const D: usize> BSpline<D> {
         p
     }
 
-    /// The indices of the `degree + 1` control points that act at `t`, with their weights.
+    /// The indices of the `degree + 1` control points with influence at `t`, with their weights.
     pub fn basis(&self, t: f64) -> ([usize; MAX_DEGREE + 1], [f64; MAX_DEGREE + 1]) {
         let (t, span) = self.locate(t);
         let mut weights = [0.0; MAX_DEGREE + 1];

@@ -12,7 +12,8 @@ pub(crate) struct Circle {
 }
 
 impl Circle {
-    /// The circle of least squared distances: an algebraic start, then Gauss-Newton steps on the distances.
+    /// The circle of least squared distances: an algebraic start, then Gauss-Newton steps on the distances. `None` for points
+    /// without a circle.
     pub(crate) fn fit(points: &[[f64; 2]]) -> Option<Self> {
         if points.len() < 3 {
             return None;
@@ -37,7 +38,7 @@ impl Circle {
         along(self.centre, unit(sub(p, self.centre)), self.radius)
     }
 
-    /// The circle of about this radius through two points, its centre on the same side of them as before.
+    /// The circle of about the same radius through two points, its centre on the same side of them as before.
     pub(crate) fn through(&self, a: [f64; 2], b: [f64; 2]) -> Self {
         let chord = sub(b, a);
         let half = 0.5 * dot(chord, chord).sqrt();
@@ -70,7 +71,7 @@ fn algebraic(points: &[[f64; 2]]) -> Option<Circle> {
 }
 
 fn step(points: &[[f64; 2]], round: Circle) -> Option<Circle> {
-    // Unknowns: shifts of the centre and of the radius.
+    // Unknowns: the changes of the centre and of the radius.
     let mut a = [[0.0; 3]; 3];
     let mut b = [0.0; 3];
     for &p in points {

@@ -1,18 +1,18 @@
 //! Least-squares cubic B-splines on a chordal length parameterization (Gumhold 2001, section 4, the simple solution).
 //!
-//! To the squared distances is added a small multiple of the squared second differences of the control points, which keeps
-//! spans without data determined and the curve calm between noisy points.
+//! A small multiple of the squared second differences of the control points is added to the squared distances. It determines
+//! spans without data and keeps the curve calm between noisy points.
 
 use super::bspline::{BSpline, clamped_knots};
 use super::rows::{add_row, chord_lengths, terms};
 use crate::math::skyline::Skyline;
 
-/// How a curve is fitted.
+/// Options of a fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FitOptions {
     /// Length of curve for each span, in the unit of the points.
     pub span: f64,
-    /// Weight of the squared second differences of the control points against one data point.
+    /// Weight of the squared second differences of the control points relative to one data point.
     pub smoothing: f64,
     /// Whether the curve closes; otherwise its ends are held at the first and last point.
     pub closed: bool,
@@ -20,8 +20,8 @@ pub struct FitOptions {
 
 /// Fits a curve through `points`, which are in order along it. A closed curve's first point is not repeated.
 ///
-/// Returns the curve and the parameter of each point. The degree falls below 3 only for fewer than four points. All points
-/// must not coincide; fewer than two (three if closed) give a degenerate curve of equal controls.
+/// Returns the curve and the parameter of each point. The degree is below 3 only for fewer than four points. The points must
+/// not all coincide; fewer than two (three if closed) give a degenerate curve of equal controls.
 pub fn fit<const D: usize>(points: &[[f64; D]], options: FitOptions) -> (BSpline<D>, Vec<f64>) {
     let (parameters, length) = chord_lengths(points, options.closed);
     let spans = ((length / options.span).round() as usize).clamp(1, points.len().max(2) - 1);
@@ -52,7 +52,7 @@ pub fn fit<const D: usize>(points: &[[f64; D]], options: FitOptions) -> (BSpline
     (curve, parameters)
 }
 
-/// The number of control points held at each end, and the positions that they are held at.
+/// The number of control points held at each end, and their positions.
 fn held_ends<const D: usize>(points: &[[f64; D]], curve: &BSpline<D>) -> (usize, Option<[[f64; D]; 2]>) {
     match (curve.periodic, points.first(), points.last()) {
         (false, Some(&first), Some(&last)) => (1, Some([first, last])),
@@ -88,7 +88,7 @@ fn normal_equations<const D: usize>(
     (matrix, right)
 }
 
-/// A row over the free control points alone: those that are held go to the other side.
+/// A row over the free control points alone: the terms of held ones go to the right side.
 fn freed<const D: usize>(
     terms: &[(usize, f64)],
     mut target: [f64; D],
@@ -112,12 +112,12 @@ fn freed<const D: usize>(
 }
 
 /// Weights of the differences of control points `i`, `i + 1` and `i + 1`, `i + 2` in a second difference: the inverse of their
-/// distance in parameter, relative to a span, so that the second difference of evenly running controls is 0.
+/// distance in parameter, relative to a span, so that the second difference of evenly moving controls is 0.
 fn slopes<const D: usize>(curve: &BSpline<D>, i: usize) -> [f64; 2] {
     if curve.periodic {
         return [1.0; 2];
     }
-    // The parameter that a control point stands for: the mean of the knots under it (Greville).
+    // The parameter of a control point: the mean of the knots under it (Greville).
     let abscissa = |c: usize| curve.knots[c + 1..=c + curve.degree].iter().sum::<f64>() / curve.degree as f64;
     let (from, to) = curve.domain();
     let span = (to - from) / (curve.controls.len() - curve.degree) as f64;

@@ -1,8 +1,7 @@
 //! Least-squares cubic B-splines with as few spans as a tolerance allows, clamped.
 //!
-//! It differs from [`fit`](super::fit()) where contours differ from strips: knots at equal shares of the points, so that no span is
-//! empty; no smoothing, which would round a tight bend; ends that weigh very much instead of being held. The matrix is banded
-//! and eliminated as such.
+//! It differs from [`fit`](super::fit()) as contours differ from strips: knots at equal shares of the points, so that no span is
+//! empty; no smoothing, which would round a tight bend; ends of great weight instead of held ones. The matrix is banded.
 
 use super::bspline::BSpline;
 use super::rows::{add_row, chord_lengths, terms};
@@ -11,13 +10,14 @@ use crate::math::points::distance;
 
 /// Degree of all splines here.
 const DEGREE: usize = 3;
-/// Weight of the end points against one of the others: the curve runs through them.
+/// Weight of the end points relative to the others, so great that the curve passes through them.
 const END_WEIGHT: f64 = 1e6;
 /// Added to the diagonal, so that a span without points can be solved.
 const RIDGE: f64 = 1e-9;
 
-/// The spline with the fewest controls, doubling, that stays within `tolerance` of the points; it runs through the first
-/// and the last. With it comes its greatest distance from a point. `None` for fewer than four points, or if all coincide.
+/// The first spline within `tolerance` of all points, and its greatest distance from one. The number of spans doubles from one
+/// up to what the points allow; the last spline is returned even if it is not within the tolerance. It passes through the first
+/// and the last point. `None` for fewer than four points, or if all coincide.
 pub(crate) fn fit_within<const D: usize>(points: &[[f64; D]], tolerance: f64) -> Option<(BSpline<D>, f64)> {
     if points.len() < DEGREE + 1 {
         return None;
@@ -58,7 +58,7 @@ fn least_squares<const D: usize>(
     Some(curve)
 }
 
-/// Inner knots at equal shares of the points, so that every span holds some.
+/// Inner knots at equal shares of the points, so that every span has some.
 fn knots(t: &[f64], spans: usize) -> Vec<f64> {
     let last = t[t.len() - 1];
     let mut knots = vec![0.0; DEGREE + 1];

@@ -1,4 +1,4 @@
-//! Area, length and centroid of a polyline in the plane, and whether a point lies within a polygon.
+//! Area, length and centroid of a polyline in the plane, and the test whether a point lies within a polygon.
 
 use crate::math::vec2::{cross, distance};
 

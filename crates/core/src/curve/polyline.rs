@@ -3,10 +3,10 @@
 use crate::math::trees::kd::Tree;
 use crate::math::vec2::{along, distance, onto, sub};
 
-/// Most pieces of one segment.
+/// Greatest number of pieces of one segment.
 const MOST_PIECES: f64 = 10_000.0;
 
-/// A polyline with its vertices under a tree.
+/// A polyline with a search tree over its vertices.
 #[derive(Clone, Debug)]
 pub(crate) struct Polyline {
     points: Vec<[f64; 2]>,
@@ -15,8 +15,8 @@ pub(crate) struct Polyline {
 }
 
 impl Polyline {
-    /// The polyline through these points. Segments much longer than `step` are cut, so that the vertices nearest to a
-    /// point tell the segments nearest to it.
+    /// The polyline through these points. Segments much longer than `step` are cut, so that the segments nearest to a point
+    /// are those at its nearest vertices.
     pub(crate) fn new(points: &[[f64; 2]], closed: bool, step: f64) -> Self {
         let mut all = Vec::with_capacity(points.len());
         for (k, &from) in points.iter().enumerate() {
@@ -29,7 +29,7 @@ impl Polyline {
         Self { points: all, closed, tree }
     }
 
-    /// Its vertices, those that cut long segments included.
+    /// Its vertices, including those that cut long segments.
     pub(crate) fn points(&self) -> &[[f64; 2]] {
         &self.points
     }

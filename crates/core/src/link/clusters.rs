@@ -1,8 +1,10 @@
 //! Closed sharp feature lines from a graph of clusters (Demarsin et al. 2007, sections 2.3 to 2.8).
 //!
-//! Each vertex is a small cluster; the large clusters that it touches are kept beside it. Edges with a large cluster need no
-//! place in the graph: they outweigh all others in the spanning tree and are removed from it, so the tree without them is
-//! the minimum spanning forest of the small clusters.
+//! Algorithm 1 is `as_printed`; `robust` is ours. Algorithm 2 is `branches`, the connect algorithm is `connect`.
+//!
+//! Each vertex is a small cluster; the large clusters that it touches are listed beside it. The graph needs no edges to large
+//! clusters: the paper gives them the greatest weights and removes them from the minimum spanning tree, which leaves the
+//! minimum spanning forest of the small clusters.
 
 mod all;
 mod as_printed;

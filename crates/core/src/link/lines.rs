@@ -1,4 +1,4 @@
-//! The patterns of both kinds (Gumhold 2001, sections 3.2 and 3.3), in the robust form repaired.
+//! The crease and border patterns (Gumhold 2001, sections 3.2 and 3.3), repaired in the robust form.
 
 use super::repair::{dock, repair};
 use super::spanning::{CycleRule, candidate_edges, minimum_spanning_graph, prune};
@@ -9,8 +9,8 @@ use crate::params::{Params, PenaltyForm, RepairParams};
 use crate::pattern::{LineGraph, Pattern};
 use crate::surface::Scales;
 
-/// Graph distance of border candidates that an edge may join in the robust form. Only the outermost row of points sees a
-/// border, and its points are often farther apart than neighbours in the graph.
+/// Greatest graph distance between border candidates that an edge may join, in the robust form. Only the outermost row of
+/// points lies on a border, and successive points of this row are often not direct neighbours in the graph.
 const ROBUST_BORDER_HOPS: usize = 2;
 
 /// Links the candidates of both kinds into a pattern.
@@ -38,10 +38,10 @@ pub(crate) fn link(
     pattern
 }
 
-/// The rules that lines of one kind are made by.
+/// The parameters by which lines of one kind are made.
 #[derive(Clone, Copy)]
 pub(super) struct LineRules<'a> {
-    /// Bound of the penalty share of an edge.
+    /// Greatest penalty share of an edge (the paper's `tau`).
     pub(super) tau: f64,
     pub(super) cycle: CycleRule<'a>,
     pub(super) repair: &'a RepairParams,

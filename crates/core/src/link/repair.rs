@@ -1,7 +1,7 @@
-//! Repair of a spanning graph by what its lines show as wholes: ours, in the robust forms.
+//! Repair of a spanning graph by the evidence of its lines as wholes: ours, in the robust forms.
 //!
-//! Strips that are round go (`judge`), and so do links between two rims (`rungs`); loose ends are led on (`bridge`, and over
-//! weak ground `reroute`); a strip that turns has a node (`corner`); creases end on borders (`dock`).
+//! Links between two rims (`rungs`) and strips along rounds (`judge`) are removed; loose ends are led on (`bridge`, and over
+//! weak ground `reroute`); a strip gets a node where it turns sharply (`corner`); creases end on borders (`dock`).
 
 mod bridge;
 mod corner;
@@ -23,10 +23,11 @@ use crate::params::RepairParams;
 use crate::pattern::LineGraph;
 use crate::surface::Scales;
 
-/// Once ends have been led on, branches this many times as long as before are spurs: a line has found its other end.
+/// Branches up to this many times the usual limit are pruned as spurs once loose ends have been led on: by then a real line has
+/// found its other end.
 const SPURS: f64 = 1.6;
 
-/// Mends the lines of one kind.
+/// Repairs the lines of one kind.
 pub(super) fn repair(
     lines: &mut LineGraph,
     kind: StripKind,

@@ -1,4 +1,7 @@
 //! The minimum spanning graph and its pruning (Gumhold 2001, sections 3.2 and 3.3).
+//!
+//! `weight` makes the queue of edges, `graph` builds the minimum spanning graph from it with the cycle test, `prune` removes
+//! short branches. `walk` has the breadth-first searches of both, `rule` the length `rho`.
 
 mod graph;
 mod prune;

@@ -1,5 +1,5 @@
-//! `G_all` (Demarsin et al. 2007, section 2.3): the small clusters at their centres of mass, joined where a point of one is
-//! in the ring of a point of the other.
+//! `G_all`: the small clusters at their centres of mass, joined where a point of one lies in the one-ring of a point of the
+//! other (Demarsin et al. 2007, section 2.3).
 
 use super::graph::Clusters;
 use crate::detect::segments::Segmentation;
@@ -7,7 +7,7 @@ use crate::math::vec3::{add_scaled, distance2};
 use crate::neighbors::Neighbors;
 use crate::pattern::LineGraph;
 
-/// The graph of all clusters. `rings` are the one-rings.
+/// The graph of all clusters, `G_all`. `rings` are the one-rings.
 pub fn all_clusters(points: &[[f64; 3]], rings: &Neighbors, segments: &Segmentation) -> Clusters {
     let count = segments.size.len();
     let centre = centres(points, segments);
@@ -52,7 +52,7 @@ fn centres(points: &[[f64; 3]], segments: &Segmentation) -> Vec<[f64; 3]> {
     centre
 }
 
-/// The point that stands for each cluster in the cloud: the member nearest to its centre, the first among equals.
+/// The representative point of each cluster: the member nearest to its centre, the first among equals.
 fn representatives(points: &[[f64; 3]], segments: &Segmentation, centre: &[[f64; 3]]) -> Vec<u32> {
     let mut nearest = vec![(f64::INFINITY, u32::MAX); centre.len()];
     for (i, (p, &c)) in points.iter().zip(&segments.label).enumerate() {
@@ -64,7 +64,7 @@ fn representatives(points: &[[f64; 3]], segments: &Segmentation, centre: &[[f64;
     nearest.into_iter().map(|n| n.1).collect()
 }
 
-/// The pairs of clusters of which points are in each other's rings, the lesser number first; ascending, each once.
+/// The pairs of clusters with points in each other's rings, the lesser number first; ascending, each once.
 fn touching(rings: &Neighbors, segments: &Segmentation) -> Vec<(u32, u32)> {
     let mut pairs: Vec<(u32, u32)> = Vec::new();
     for (i, &a) in segments.label.iter().enumerate() {

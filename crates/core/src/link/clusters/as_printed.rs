@@ -1,4 +1,4 @@
-//! Demarsin's pipeline as printed (Demarsin et al. 2007, algorithm 1): from the segmentation over `G_closed` to `G_smooth`.
+//! Demarsin's pipeline as printed (Demarsin et al. 2007, Algorithm 1): from the segmentation to `G_closed` and `G_smooth`.
 
 use super::all::all_clusters;
 use super::branches::prune_branches;
@@ -14,7 +14,7 @@ use crate::neighbors::Neighbors;
 use crate::params::SegmentParams;
 use crate::pattern::{LineGraph, Pattern};
 
-/// Steps of smoothing.
+/// Smoothing steps.
 const SMOOTHING: usize = 5;
 
 /// Closed lines of the small clusters. `rings` are the one-rings; canonical order, local frame.

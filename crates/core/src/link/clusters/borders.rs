@@ -1,4 +1,4 @@
-//! The borders that lines end on, of either form.
+//! The borders on which creases end, in both forms.
 
 use super::open::remove_short;
 use crate::link::lines::{LineRules, lines_of};
@@ -10,13 +10,13 @@ use crate::params::RepairParams;
 use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
-/// Pieces of border that stay open are dropped if they are shorter than this, spacings.
+/// Open pieces of border shorter than this, in spacings, are dropped.
 const OPEN_BORDER: f64 = 20.0;
-/// Bound of the penalty share of an edge; the paper of the default method takes 1.
+/// Greatest penalty share of an edge: Gumhold's 1 (2001, section 3.2).
 const TAU: f64 = 1.0;
 
-/// The borders of the default method. A short piece that stays open is no end of a surface; of a long one the rest was not
-/// found.
+/// The borders of the default method. A short open piece does not bound a surface and is dropped; a long one is part of a
+/// loop whose rest was not found.
 pub(crate) fn borders(
     graph: &Neighbors,
     measure: &Measure,

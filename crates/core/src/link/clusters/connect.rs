@@ -4,20 +4,19 @@ use crate::link::spanning::{Metric, Walker};
 use crate::neighbors::{Index, all_nearest};
 use crate::pattern::LineGraph;
 
-/// Bounds of `n` where it follows from the graph.
+/// Bounds of `n` where it is derived from the graph.
 const N_BOUNDS: [usize; 2] = [6, 32];
 
-/// A cycle over a link is small if the rest of it is no longer than this many gaps and spacings (robust form).
+/// A link closes a small cycle if the rest of the cycle is no longer than so many gaps plus so many spacings (robust form).
 const SMALL_CYCLE: (f64, f64) = (2.0, 4.0);
 
-/// A gap is closed if the strip up to it is longer than this many gaps and spacings (robust form).
+/// A gap is closed if the strip that leads up to it is longer than so many gaps plus so many spacings (robust form).
 const LEAD: (f64, f64) = (1.5, 4.0);
 
-/// Links each endpoint: to the closest endpoint among its `n` nearest vertices (case 1), or, where there is none, to the
-/// closest vertex with more than one edge (case 2), if no path of up to `d` edges joins them already.
+/// Links each endpoint to the closest endpoint among its `n` nearest vertices (case 1) or, if none of them is an endpoint, to
+/// the closest vertex with more than one edge (case 2), unless a path of up to `d` edges joins the two already.
 ///
-/// A path shorter than `d` is looked for from the shortest on, which finds one exactly if the paper's depth-first search of
-/// restricted depth does.
+/// The path is searched breadth first; it finds one exactly when the paper's depth-first search of restricted depth does.
 pub fn connect(lines: &mut LineGraph, n: usize, d: usize) {
     let members: Vec<u32> = (0..lines.edges.len() as u32).filter(|&v| degree(lines, v) > 0).collect();
     let positions: Vec<[f64; 3]> = members.iter().map(|&v| lines.positions[v as usize]).collect();
@@ -40,8 +39,8 @@ pub fn connect(lines: &mut LineGraph, n: usize, d: usize) {
     }
 }
 
-/// The robust form's last links: each endpoint to the closest endpoint within `reach`, else to the closest other vertex, if the
-/// strip that leads up to the gap is longer than the gap and no short path joins them already.
+/// Links what is still open in the robust form: each endpoint to the closest endpoint within `reach`, else to the closest
+/// other vertex, if the strip that leads up to the gap is longer than the gap and no short path joins the two already.
 pub fn connect_within(lines: &mut LineGraph, reach: f64, walker: &mut Walker, spacing: f64) {
     let members: Vec<u32> = (0..lines.edges.len() as u32).filter(|&v| degree(lines, v) > 0).collect();
     let positions: Vec<[f64; 3]> = members.iter().map(|&v| lines.positions[v as usize]).collect();
@@ -75,8 +74,8 @@ pub fn connect_within(lines: &mut LineGraph, reach: f64, walker: &mut Walker, sp
     }
 }
 
-/// `n` from the graph: as many vertices as an endpoint has within `reach`, the longest gap that the segmentation itself has
-/// bridged; the median over the endpoints.
+/// Derives `n` from the graph: the median over all endpoints of the number of vertices within `reach`, the longest edge of
+/// `G_all`.
 pub fn neighbors_in_reach(lines: &LineGraph, reach: f64) -> usize {
     let members: Vec<u32> = (0..lines.edges.len() as u32).filter(|&v| degree(lines, v) > 0).collect();
     let positions: Vec<[f64; 3]> = members.iter().map(|&v| lines.positions[v as usize]).collect();

@@ -1,12 +1,12 @@
-//! `G_extended` (Demarsin et al. 2007, section 2.4): gaps between small clusters on one sharp edge are closed.
+//! `G_extended`: closes gaps between small clusters on the same sharp edge (Demarsin et al. 2007, section 2.4).
 
 use super::graph::Clusters;
 use crate::math::vec3::distance;
 use crate::neighbors::Index;
 
-/// Joins small clusters that share two large ones and are no farther apart than `reach`.
+/// Joins small clusters that touch the same two large ones and are no farther apart than `reach`; returns the pairs added.
 ///
-/// Gives the pairs added. The paper's `reach` is the longest edge of `G_all` between small clusters: see `longest`.
+/// The paper's `reach` is the longest edge of `G_all` between small clusters, see `longest`.
 pub fn extend(clusters: &mut Clusters, reach: f64) -> Vec<(u32, u32)> {
     let Clusters { lines, large, .. } = clusters;
     if lines.positions.is_empty() || reach <= 0.0 {
@@ -42,7 +42,7 @@ pub fn longest(clusters: &Clusters) -> f64 {
     longest
 }
 
-/// How many numbers two ascending lists share.
+/// The number of entries that two ascending lists share.
 fn shared(a: &[u32], b: &[u32]) -> usize {
     a.iter().filter(|x| b.binary_search(x).is_ok()).count()
 }

@@ -6,7 +6,7 @@ use crate::math::vec3::distance;
 use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 
-/// All edges by their length, ties by index: the weights of the paper.
+/// All edges by length, which is the paper's weight, ties by index.
 pub fn by_length(lines: &LineGraph) -> Vec<Candidate> {
     let mut edges: Vec<Candidate> = Vec::with_capacity(lines.edge_count());
     for (a, list) in lines.edges.iter().enumerate() {
@@ -21,8 +21,8 @@ pub fn by_length(lines: &LineGraph) -> Vec<Candidate> {
 
 /// The minimum spanning forest over `edges` in their order.
 ///
-/// With `keep`, an edge that closes a long and open cycle stays (Gumhold 2001, section 3.2): the tree of the paper cuts each
-/// loop anywhere, and what it cuts close to a junction is pruned before it can be closed again.
+/// With `keep`, an edge that closes a long, open cycle stays (Gumhold 2001, section 3.2). The paper's tree cuts every loop
+/// at an arbitrary place, and a loop cut close to a junction is pruned before it can be closed again.
 pub fn forest(lines: &LineGraph, edges: &[Candidate], keep: Option<(Resolution, CycleRule)>) -> LineGraph {
     let mut tree = LineGraph { edges: vec![Vec::new(); lines.edges.len()], ..lines.clone() };
     let mut sets = UnionFind::new(lines.edges.len());

@@ -1,16 +1,16 @@
-//! The graph of clusters that the steps work on.
+//! The graph of clusters, on which the steps from `G_all` to `G_extended` work.
 
 use crate::link::spanning::Candidate;
 use crate::pattern::LineGraph;
 
-/// Small clusters, what joins them, and the large clusters that they touch.
+/// Small clusters, the edges between them, and the large clusters that they touch.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Clusters {
-    /// One vertex a small cluster; its edges are those of the stage.
+    /// One vertex for each small cluster, with the edges of the present stage.
     pub lines: LineGraph,
-    /// Edges with their weights, where these are more than lengths; ascending, and a pair may stand several times.
+    /// Edges in ascending order of weight, where weights are more than lengths; a pair may occur several times.
     pub weights: Vec<Candidate>,
-    /// `(V)` the large clusters that each touches, ascending.
+    /// `(V)` large clusters that each vertex touches, ascending.
     pub large: Vec<Vec<u32>>,
     /// Number of large clusters.
     pub large_count: usize,
@@ -19,7 +19,7 @@ pub struct Clusters {
 }
 
 impl Clusters {
-    /// The number of edges of which an end is a large cluster.
+    /// The number of edges with a large cluster at one end or both.
     pub(super) fn edges_with_large(&self) -> usize {
         self.large.iter().map(Vec::len).sum::<usize>() + self.large_pairs
     }

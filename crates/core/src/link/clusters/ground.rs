@@ -1,7 +1,7 @@
-//! Weak ground (robust form): points where two large clusters touch, though no candidate says so.
+//! Weak ground (robust form): places where two large clusters touch without a candidate between them.
 //!
-//! A fold that fades, or noise at one place, leaves gaps between the small clusters. The segmentation still knows where the
-//! faces meet. Such places become vertices that only the closing may use.
+//! A fading fold, or noise at one place, leaves gaps between the small clusters, but the segmentation still shows where the
+//! faces meet. Such places become vertices that only the closing step may use.
 
 use super::graph::Clusters;
 use crate::detect::segments::Segmentation;
@@ -14,7 +14,7 @@ use crate::resolution::Resolution;
 /// Longest edge over weak ground, spacings.
 const LONGEST_EDGE: f64 = 2.5;
 
-/// The graph of the clusters with the weak places as further vertices. `cluster_of` gives the cluster of each candidate.
+/// The graph of the clusters with the weak places as further vertices. `cluster_of` is the cluster of each candidate.
 pub fn ground(
     clusters: &Clusters,
     cluster_of: &[u32],
@@ -49,7 +49,7 @@ pub fn ground(
     all
 }
 
-/// The middle between a point and its neighbours in other large clusters; `None` without any.
+/// The middle between a point and its neighbours in other large clusters; `None` if it has none.
 fn between(points: &[[f64; 3]], graph: &Neighbors, segments: &Segmentation, i: usize) -> Option<[f64; 3]> {
     let own = segments.label[i];
     let large = |c: u32| segments.large[c as usize];
@@ -70,7 +70,7 @@ fn between(points: &[[f64; 3]], graph: &Neighbors, segments: &Segmentation, i: u
     Some(scale(add(points[i], mean), 0.5))
 }
 
-/// Gives `lines` the vertices that `all` has beyond its own, without edges.
+/// Appends the further vertices of `all` to `lines`, without edges.
 pub fn take_vertices(lines: &mut LineGraph, all: &LineGraph) {
     for v in lines.edges.len()..all.edges.len() {
         lines.push_vertex(all.points[v], all.positions[v]);

@@ -1,8 +1,8 @@
-//! Small clusters of the robust form: candidates whose feet on the line fall together.
+//! Small clusters of the robust form: candidates whose feet on the line coincide.
 //!
-//! The paper's small clusters lie where single normals happen to differ, up to a spacing beside the edge. Here the candidates
-//! of the penalties are used, each at its foot on the line, and those within a fraction of a spacing are one cluster, at the
-//! foot of the best of them: a row of vertices along the line instead of a band.
+//! The paper's small clusters lie where single normals happen to differ, up to a spacing beside the edge. Here the crease
+//! candidates are used, each at its foot on the line, and those within a fraction of a spacing form one cluster at the foot of
+//! the best of them. This gives a row of vertices along the line instead of a band.
 
 use super::graph::Clusters;
 use crate::detect::segments::Segmentation;
@@ -12,12 +12,12 @@ use crate::measure::{Evidence, Penalties};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::resolution::Resolution;
 
-/// Feet this near to that of the cluster's first candidate, in spacings, belong to it.
+/// Radius of a cluster around the foot of its first candidate, spacings.
 const TOGETHER: f64 = 0.3;
 /// Longest edge of `G_all` between feet, spacings.
 const LONGEST_EDGE: f64 = 3.0;
 
-/// Groups the candidates, the least penalty first, and joins groups by `edges` between their candidates. Also gives the
+/// Groups the candidates, the least penalty first, and joins groups by `edges` between their candidates. Also returns the
 /// cluster of each candidate.
 pub fn group(
     graph: &Neighbors,
@@ -47,7 +47,7 @@ pub fn group(
     (clusters, of_candidate)
 }
 
-/// Candidates of each group, its first the one that it grew from; groups in the order of those.
+/// Candidates of each group, beginning with the one from which it grew; groups in the order of their first candidates.
 fn groups(graph: &Neighbors, penalties: &Penalties, radius: f64) -> Vec<Vec<u32>> {
     let mut order: Vec<u32> = (0..penalties.len() as u32).collect();
     order.sort_by(|&a, &b| {
@@ -75,7 +75,7 @@ fn groups(graph: &Neighbors, penalties: &Penalties, radius: f64) -> Vec<Vec<u32>
     groups
 }
 
-/// Adds the cluster of some candidates.
+/// Adds one cluster for the given candidates.
 fn push(
     clusters: &mut Clusters,
     graph: &Neighbors,
@@ -104,7 +104,7 @@ fn push(
     clusters.large.push(large);
 }
 
-/// What the members show: evidence adds up, and the fold is their mean. `None` where no cross-section was taken.
+/// The evidence of all members: sums, with the mean fold. `None` where no cross-section was taken.
 fn together(penalties: &Penalties, members: &[u32]) -> Option<Evidence> {
     let shown = || members.iter().map(|&c| penalties.evidence[c as usize]);
     if shown().all(|e| e.is_none()) {

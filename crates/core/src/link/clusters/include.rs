@@ -1,10 +1,10 @@
-//! The border within the graph that is closed (Demarsin et al. 2007, section 3: for an open cloud "the boundary is included just
-//! before the close step").
+//! The border as part of the graph to be closed (Demarsin et al. 2007, section 3: for an open cloud "the boundary is included
+//! just before the close step").
 
 use crate::pattern::LineGraph;
 
-/// Puts the border into the graph, its vertices after those of the graph; the number of the first of them. Crease ends that lie
-/// on nodes of the border to the bit become one with them.
+/// Appends the border to the graph and returns the number of its first vertex there. Crease ends at exactly the position of a
+/// border node are merged with it.
 pub fn include(lines: &mut LineGraph, border: &LineGraph) -> usize {
     let own = lines.edges.len();
     let ends: Vec<u32> = (0..own as u32).filter(|&v| lines.edges[v as usize].len() == 1).collect();
@@ -28,7 +28,7 @@ pub fn include(lines: &mut LineGraph, border: &LineGraph) -> usize {
     own
 }
 
-/// Takes the border out again, from its first vertex on: creases that end on it keep their ends there, and it has nodes there.
+/// Takes the border, whose vertices begin at `own`, out again. Creases that end on it keep their ends, where it gets nodes.
 pub fn leave(lines: &mut LineGraph, border: &mut LineGraph, own: usize) {
     let taken = own..own + border.edges.len();
     for v in taken.clone() {

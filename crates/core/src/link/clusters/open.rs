@@ -1,8 +1,8 @@
-//! Removal of what stays open (Demarsin et al. 2007, section 2.7): in the end no vertex has exactly one edge.
+//! Removal of the branches that stay open (Demarsin et al. 2007, section 2.7): in the end no vertex has exactly one edge.
 
 use crate::pattern::LineGraph;
 
-/// Takes away branches with an open end that are shorter than `least`, in the unit of the positions.
+/// Removes branches with an open end that are shorter than `least`, in the unit of the positions.
 pub fn remove_short(lines: &mut LineGraph, least: f64) {
     for end in 0..lines.edges.len() as u32 {
         if lines.edges[end as usize].len() != 1 || lines.strip_length(end) >= least {
@@ -16,7 +16,7 @@ pub fn remove_short(lines: &mut LineGraph, least: f64) {
     }
 }
 
-/// Takes away all branches that end in a vertex of degree one.
+/// Removes all branches with an open end.
 pub fn remove_open(lines: &mut LineGraph) {
     let mut ends: Vec<u32> = (0..lines.edges.len() as u32).collect();
     while let Some(v) = ends.pop() {

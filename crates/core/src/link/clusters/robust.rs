@@ -1,6 +1,6 @@
-//! The same steps on steadier ground: how noise, blunt folds and borders are met.
+//! Demarsin's pipeline in the robust form, for noise, blunt folds and borders (Demarsin et al. 2007, Algorithm 1).
 //!
-//! Where it departs from Demarsin et al. 2007, and why:
+//! Departures from the paper, and their reasons:
 //! * **Small clusters** are the crease candidates of the penalties at their feet (see `group`), as one-ring normals at 8
 //!   degrees break into small clusters everywhere from a noise of a tenth of the spacing on.
 //! * **Spanning forest**: edges that close a long and open cycle stay, so that loops need no closing.
@@ -32,14 +32,14 @@ use crate::params::Params;
 use crate::pattern::{LineGraph, Pattern};
 use crate::resolution::Resolution;
 
-/// Weight that an edge of `G_extended` has more than one of `G_all`.
+/// Extra weight of the edges that `G_extended` adds to `G_all`.
 const ADDED: f64 = 2.0;
-/// Gaps closed at last by the shortest link whatever its direction, spacings.
+/// Gaps that the last rounds close by the shortest link in any direction, spacings.
 const LAST_LINKS: [f64; 3] = [3.0, 6.0, 10.0];
-/// Steps of smoothing.
+/// Smoothing steps.
 const SMOOTHING: usize = 2;
 
-/// What all steps look at: points in canonical order, local frame.
+/// The input of all steps: points in canonical order, local frame.
 pub(crate) struct Segments<'a> {
     pub(crate) points: &'a [[f64; 3]],
     pub(crate) graph: &'a Neighbors,
@@ -64,7 +64,7 @@ pub(crate) fn link_robust(cloud: &Segments) -> Linked {
     Linked { pattern, stages: recorder.stages }
 }
 
-/// The lines up to `G_pruned_branches`, and the graph with the weak ground that closing may use.
+/// `G_pruned_branches`, and the graph with the weak ground that the closing step may use.
 fn open_lines(cloud: &Segments, recorder: &mut Recorder) -> (LineGraph, LineGraph) {
     let &Segments { points, graph, measure, segments, resolution, rule, params } = cloud;
     let penalties = &measure.crease;
@@ -83,7 +83,8 @@ fn open_lines(cloud: &Segments, recorder: &mut Recorder) -> (LineGraph, LineGrap
     (lines, all)
 }
 
-/// `G_extended`: its new edges weigh more than those of `G_all`, the longer the more. They are at most `reach` spacings long.
+/// Adds the edges of `G_extended`, up to `reach` spacings long. They weigh more than those of `G_all`, and more the longer
+/// they are.
 fn add_edges(clusters: &mut Clusters, resolution: Resolution, reach: f64) {
     for (a, b) in extend(clusters, reach * resolution.spacing) {
         let positions = &clusters.lines.positions;
@@ -93,7 +94,7 @@ fn add_edges(clusters: &mut Clusters, resolution: Resolution, reach: f64) {
     sort(&mut clusters.weights);
 }
 
-/// `G_closed` and `G_smooth`: creases are closed with the borders that they end on.
+/// `G_closed` and `G_smooth`: closes the creases together with the borders on which they end.
 fn close(cloud: &Segments, pattern: &mut Pattern, all: &LineGraph, recorder: &mut Recorder) {
     let &Segments { resolution, rule, params, .. } = cloud;
     let Pattern { crease: lines, border } = pattern;

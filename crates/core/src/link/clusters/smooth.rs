@@ -1,4 +1,4 @@
-//! `G_smooth`: lines smoothed without shrinking them.
+//! `G_smooth`: smooths lines without shrinking them (Demarsin et al. 2007, section 2.8).
 //!
 //! The paper's own smoothing (Volodine, Vanderstraeten and Roose, report TW 451) needs a basis of the whole graph. Here it is
 //! Taubin's low-pass filter (G. Taubin, "A signal processing approach to fair surface design", SIGGRAPH 1995, section 3):
@@ -11,7 +11,7 @@ use crate::pattern::LineGraph;
 /// Taubin's factors for a pass band of 0.1: `1 / lambda + 1 / mu = 0.1`.
 const LAMBDA: f64 = 0.5;
 const MU: f64 = -1.0 / (1.0 / LAMBDA - 0.1);
-/// A line that turns by more than this at a vertex has a corner there.
+/// Turn of a line at a vertex above which the vertex is a corner and stays.
 const CORNER_TURN_DEG: f64 = 60.0;
 
 /// Smooths all lines by `steps` of the filter.

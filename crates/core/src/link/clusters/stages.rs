@@ -1,4 +1,4 @@
-//! The graphs that the steps leave, one after the other (Demarsin et al. 2007, table 2).
+//! The graph after each step, with its counts and time (Demarsin et al. 2007, table 2).
 
 use super::graph::Clusters;
 use crate::pattern::{LineGraph, Pattern};
@@ -9,9 +9,9 @@ use std::time::Instant;
 pub struct GraphStage {
     /// The paper's name: `G_all`, `G_extended`, `G_pruned_mst`, `G_pruned_branches`, `G_closed` or `G_smooth`.
     pub name: &'static str,
-    /// Vertices, large clusters included in the first two.
+    /// Number of vertices, in the first two graphs with the large clusters.
     pub vertices: usize,
-    /// Edges, those with large clusters included in the first two.
+    /// Number of edges, in the first two graphs with those to large clusters.
     pub edges: usize,
     /// Seconds that the step took.
     pub seconds: f64,
@@ -19,7 +19,7 @@ pub struct GraphStage {
     pub lines: LineGraph,
 }
 
-/// What a linker of clusters leaves.
+/// The result of linking clusters.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Linked {
     /// Closed lines.
@@ -28,7 +28,7 @@ pub struct Linked {
     pub stages: Vec<GraphStage>,
 }
 
-/// Notes the graph after each step.
+/// Records the graph after each step.
 pub(super) struct Recorder {
     pub(super) stages: Vec<GraphStage>,
     start: Instant,
@@ -39,13 +39,13 @@ impl Recorder {
         Self { stages: Vec::new(), start: Instant::now() }
     }
 
-    /// A graph that still has all clusters.
+    /// Records a graph that still has its large clusters.
     pub(super) fn whole(&mut self, name: &'static str, clusters: &Clusters) {
         let vertices = clusters.lines.edges.len() + clusters.large_count;
         self.push(name, vertices, clusters.lines.edge_count() + clusters.edges_with_large(), &clusters.lines);
     }
 
-    /// A graph of lines: vertices without an edge are no part of it.
+    /// Records a graph of lines; vertices without an edge do not count.
     pub(super) fn lines(&mut self, name: &'static str, lines: &LineGraph) {
         let vertices = lines.edges.iter().filter(|e| !e.is_empty()).count();
         self.push(name, vertices, lines.edge_count(), lines);

@@ -1,8 +1,8 @@
-//! Bridges from loose ends: on to the end or strip that they point at, or to where two of them would meet.
+//! Bridges from loose ends to the end or strip at which they point, or to the place where two of them would meet.
 //!
-//! Where a fold fades for a few spacings, or faces are too narrow to show it, the minimum spanning graph stops. What stops
-//! on both sides of the gap in line with each other is one line. The nearer, the more may the direction differ. Not in
-//! Gumhold 2001.
+//! Where a fold fades for a few spacings, or faces are too narrow to show it, the minimum spanning graph stops. Two strips that
+//! stop in line with each other on both sides of a gap are one line. The shorter the gap, the more their directions may differ.
+//! Not in Gumhold 2001.
 
 use crate::math::vec3::{add_scaled, distance, dot, norm, scale, sub, unit};
 use crate::neighbors::{Found, Index};
@@ -11,55 +11,57 @@ use crate::params::RepairParams;
 use crate::pattern::LineGraph;
 use crate::surface::Scales;
 
-/// Gap in spacings and the angle up to which both ends may look aside from it, degrees; nearest first.
+/// Gaps between creases, in spacings, and the greatest angle between either end's direction and the gap, degrees; one round
+/// each, the nearest first.
 const CREASE_GAPS: [(f64, f64); 4] = [(3.0, 60.0), (4.5, 40.0), (6.5, 25.0), (10.0, 10.0)];
-/// The same for borders. A surface's border never ends: whatever two loose ends can be one line, are.
+/// The same for borders, over longer gaps: the border of a surface never ends.
 const BORDER_GAPS: [(f64, f64); 7] =
     [(3.0, 60.0), (4.5, 40.0), (6.5, 25.0), (10.0, 10.0), (6.0, 100.0), (10.0, 60.0), (16.0, 30.0)];
-/// Ends this near are joined whatever they look at, spacings.
+/// Distance at which two ends are joined whatever their directions, spacings.
 const TOUCHING: f64 = 1.5;
-/// The same in the last round, as nothing better was found and one of them has turned a corner: for creases and for borders.
+/// The same in the last round, for creases and for borders: no better partner was found, so one of them has turned a corner.
 const TOUCHING_LAST: [f64; 2] = [3.5, 10.0];
 /// Both ends of one strip are joined only if that closes a loop at least this many times as long as the gap.
 const LOOP_TO_GAP: f64 = 3.0;
-/// Length of strip that an end's direction is taken from, spacings.
+/// Length of the piece of strip that gives the direction of its end, spacings.
 const TANGENT: f64 = 4.0;
-/// In which rounds ends may run into a strip ahead of them, how far, spacings, and how far aside they may look, degrees. No
-/// end is led on by more than half its own length.
+/// Ends that run into a strip ahead of them: the round, the greatest distance, spacings, and the greatest angle, degrees. No end
+/// is led on by more than half its own length.
 const INTO_STRIP: [(usize, f64, f64); 3] = [(SIDEWAYS, 3.5, 50.0), (2, 5.5, 22.0), (3, 8.0, 10.0)];
-/// How far ahead two ends may meet at an angle, and how far their lines may pass each other, spacings.
+/// Two ends that meet at an angle: the greatest distance to the meeting, and the greatest distance at which their lines pass
+/// each other, spacings.
 const MEETING: (f64, f64) = (4.5, 1.0);
-/// An end this near to a strip, as a share of the reach, meets it whatever it looks at.
+/// Distance at which an end meets a strip whatever its direction, as a share of the reach.
 const TOUCHING_STRIP: f64 = 0.14;
 /// The round in which ends may also meet at an angle.
 const SIDEWAYS: usize = 1;
 
-/// A vertex of degree one, and where it looks.
+/// A loose end: a vertex of degree one and the direction in which its strip points.
 struct End {
     vertex: u32,
     position: [f64; 3],
     tangent: [f64; 3],
-    /// The length of a spacing there.
+    /// The local spacing.
     h: f64,
-    /// The vertices of its own strip near to it, and how far along the strip they lie.
+    /// The vertices of its own strip near it, with their distances along the strip.
     own: Vec<(u32, f64)>,
 }
 
 impl End {
-    /// How far its own strip was followed.
+    /// The length to which its own strip was followed.
     fn length(&self) -> f64 {
         self.own.last().map_or(0.0, |o| o.1)
     }
 
-    /// How far along its own strip a vertex lies, if it does and is near.
+    /// The distance of a vertex along its own strip; `None` for other vertices and far ones.
     fn along(&self, vertex: u32) -> Option<f64> {
         self.own.iter().find(|o| o.0 == vertex).map(|o| o.1)
     }
 }
 
-/// What an end can be joined to.
+/// A join that closes a gap.
 enum Bridge {
-    /// The other end or a vertex of a strip.
+    /// An end to another end, or to a vertex of a strip.
     Edge(u32, u32),
     /// Both ends to a new vertex.
     Corner(u32, u32, [f64; 3]),
@@ -123,8 +125,8 @@ fn loose_ends(lines: &LineGraph, scales: Scales) -> Vec<End> {
         .collect()
 }
 
-/// Which of the `ends` that a search of `reach` spacings `found` around end `i` make a pair with it, so that each pair is seen once: those
-/// after it, and those before it whose own search falls short of it.
+/// The ends, among those `found` within `reach` spacings of end `i`, that form a pair with it. Each pair is returned once: the
+/// later ends, and the earlier ones whose own search does not reach `i`.
 fn partners<'a>(
     ends: &'a [End],
     found: &'a [Found],
@@ -136,7 +138,7 @@ fn partners<'a>(
     found.iter().filter(seen).map(|f| f.index as usize)
 }
 
-/// Pairs of ends that look at each other over at most `reach` spacings, with their cost.
+/// Pairs of ends that face each other over at most `reach` spacings, with their cost.
 fn facing(ends: &[End], reach: f64, angle_deg: f64, touching: f64) -> Vec<(f64, Bridge)> {
     let positions: Vec<[f64; 3]> = ends.iter().map(|e| e.position).collect();
     let index = Index::build(&positions);
@@ -192,7 +194,7 @@ fn into_strips(lines: &LineGraph, ends: &[End], reach: f64, angle_deg: f64) -> V
     bridges
 }
 
-/// Pairs of ends whose lines meet ahead of both at an angle.
+/// Pairs of ends whose lines meet at an angle ahead of both, with their cost.
 fn meetings(ends: &[End]) -> Vec<(f64, Bridge)> {
     let positions: Vec<[f64; 3]> = ends.iter().map(|e| e.position).collect();
     let index = Index::build(&positions);
@@ -212,8 +214,8 @@ fn meetings(ends: &[End]) -> Vec<(f64, Bridge)> {
     bridges
 }
 
-/// Where the lines of two ends pass nearest: how far ahead at most, how far apart, and the middle; `None` behind either or
-/// nearly parallel.
+/// The place where the lines of two ends pass nearest: its distance ahead of the farther end, the distance between the lines, and
+/// the middle between them. `None` if it lies behind either end or the lines are nearly parallel.
 fn meeting(a: &End, b: &End) -> Option<(f64, f64, [f64; 3])> {
     let cosine = dot(a.tangent, b.tangent);
     let sine2 = 1.0 - cosine * cosine;

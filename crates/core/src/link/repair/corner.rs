@@ -1,8 +1,8 @@
-//! Corners of a strip: where two straight pieces meet at an angle, the strip has a node.
+//! Corners of a strip: nodes where two straight pieces meet at an angle.
 //!
-//! Creases that meet find their node by themselves; the corner of a border or of a lone crease is a vertex like any other, and
-//! a spline would round it. Around each vertex two straight lines are set against one smooth curve, both fitted to the
-//! vertices on either side; the nearest are left out, as what drew the line together has rounded them. Not in Gumhold 2001.
+//! Creases that meet have a node already, but the corner of a border or of a lone crease is a vertex like any other, and a
+//! spline would round it. Around each vertex two straight lines are compared with one smooth curve, both fitted to the vertices
+//! on either side. The nearest vertices are left out, as the alignment of the points has rounded them. Not in Gumhold 2001.
 
 use crate::math::eigen3::eigen3;
 use crate::math::skyline::Skyline;
@@ -13,21 +13,21 @@ use crate::params::RepairParams;
 use crate::pattern::{LineGraph, Path, paths};
 use crate::surface::Scales;
 
-/// Vertices nearer to a corner than this, spacings, say nothing of its sides.
+/// Vertices nearer to a corner than this, in spacings, do not count for its sides.
 const ROUNDED_OFF: f64 = 1.25;
-/// Lengths of the sides that are looked at, spacings: long ones tell more, short ones fit between two corners.
+/// Lengths of the sides that are tried, spacings: long ones are more certain, short ones fit between two corners.
 const SIDES: [f64; 2] = [10.0, 6.0];
-/// Least share of its length that a side must have, and the fewest vertices on it.
+/// Least share of that length that a side must have, and its least number of vertices.
 const FILLED_SIDE: (f64, usize) = (0.8, 4);
 /// Least length of path between two corners, spacings.
 const CORNERS_APART: f64 = 3.0;
-/// Greatest ratio of the residual of two lines to that of a smooth curve, at the least turn and at a right angle: a bend that
-/// is hardly one has to be the clearer.
+/// Greatest ratio of the residual of two lines to the residual of a smooth curve, at the least turn and at a right angle: a
+/// slight bend needs clearer evidence.
 const CLEAR_RATIO: [f64; 2] = [0.4, 0.6];
-/// What drew the line together rounds a corner with no greater radius than this, spacings: a border's points are drawn
-/// together along it, a crease's feet hardly; a round that is greater is the part's own.
+/// Greatest radius by which the alignment of the points rounds a corner, spacings: much at a border, hardly at a crease. A
+/// round of greater radius belongs to the part.
 const ROUNDED: [(StripKind, f64); 2] = [(StripKind::Crease, 1.0), (StripKind::Border, 4.0)];
-/// How far the path may miss the corner beyond what its rounding explains, spacings.
+/// Greatest distance between path and corner beyond the distance due to the rounding, spacings.
 const MISSED_BY: f64 = 0.35;
 
 /// A corner found on a path.
@@ -37,7 +37,7 @@ struct Corner {
     at: usize,
     position: [f64; 3],
     ratio: f64,
-    /// Length of path on either side that the rounding spoils, spacings.
+    /// Length of path on either side that is rounded, spacings.
     spoilt: f64,
 }
 
@@ -56,7 +56,7 @@ struct Course {
     along: Vec<f64>,
     length: f64,
     closed: bool,
-    /// The length of a spacing at each vertex.
+    /// The spacing at each vertex.
     units: Vec<f64>,
     /// Greatest radius of a corner's rounding, spacings.
     rounded: f64,
@@ -77,8 +77,8 @@ impl Course {
         Course { positions, along, length: last + gap, closed, units, rounded }
     }
 
-    /// The vertices from `near` to a side's length behind (-1) or ahead (+1) of `at`: distance along the path and position, in the
-    /// order away from it.
+    /// The vertices of one side of `at`, behind it (`step` -1) or ahead of it (+1), from the distance `near` to the length `side`:
+    /// distance along the path and position, in order away from `at`.
     fn side(&self, at: usize, step: isize, side: f64, near: f64) -> Vec<(f64, [f64; 3])> {
         let count = self.positions.len() as isize;
         let mut found = Vec::new();
@@ -106,7 +106,7 @@ impl Course {
         if self.closed { s.min(self.length - s) } else { s }
     }
 
-    /// The corners with a turn of `turn_deg` and more, the clearest first, each at least a side's least length from the next.
+    /// The corners with a turn of at least `turn_deg`, the clearest first, none nearer to another than [`CORNERS_APART`].
     fn corners(&self, turn_deg: f64) -> Vec<Corner> {
         let mut all: Vec<Corner> = (0..self.positions.len())
             .filter_map(|i| SIDES.iter().find_map(|&side| self.corner(i, side, turn_deg)))
@@ -124,7 +124,7 @@ impl Course {
         kept
     }
 
-    /// The corner that sides of this length show at a vertex; where the path is rounded it is placed by what lies beyond.
+    /// The corner at a vertex as seen with sides of length `side`; where the path is rounded, the straight parts beyond place it.
     fn corner(&self, at: usize, side: f64, turn_deg: f64) -> Option<Corner> {
         let first = self.meeting(at, side, ROUNDED_OFF)?;
         let (turn, spoilt) = first.rounding(self.off(at, first.position) / self.units[at], self.rounded)?;
@@ -133,7 +133,7 @@ impl Course {
         let [least, right] = CLEAR_RATIO;
         let share = ((turn - turn_deg) / (90.0 - turn_deg)).clamp(0.0, 1.0);
         let clear = first.ratio <= least + share * (right - least);
-        // A rounding that leaves nothing of the sides is no corner's.
+        // A rounding that uses up the whole sides is not that of a corner.
         (turn >= turn_deg && clear && spoilt <= 0.5 * side).then_some(Corner {
             at,
             position,
@@ -142,7 +142,7 @@ impl Course {
         })
     }
 
-    /// Where the lines through both sides meet.
+    /// The place where the lines through both sides meet.
     fn meeting(&self, at: usize, side: f64, near: f64) -> Option<Meeting> {
         let sides = [-1, 1].map(|step| self.side(at, step, side, near));
         let (share, fewest) = FILLED_SIDE;
@@ -157,7 +157,7 @@ impl Course {
         Some(Meeting { position, cosine: -dot(behind.direction, ahead.direction), ratio })
     }
 
-    /// How far a place near vertex `at` lies from the path.
+    /// The distance from the path of a place near vertex `at`.
     fn off(&self, at: usize, place: [f64; 3]) -> f64 {
         let count = self.positions.len();
         let window = if self.closed { count } else { count - 1 };
@@ -174,21 +174,21 @@ impl Course {
     }
 }
 
-/// What two sides say of a vertex.
+/// Two straight sides set against one smooth curve at a vertex.
 #[derive(Clone, Copy, Debug)]
 struct Meeting {
-    /// Where their lines meet.
+    /// The place where their lines meet.
     position: [f64; 3],
     /// Of the turn.
     cosine: f64,
-    /// Residual of the lines over that of a smooth curve.
+    /// Ratio of the residual of the lines to that of the smooth curve.
     ratio: f64,
 }
 
 impl Meeting {
-    /// The turn, degrees, and the length of path on either side that is rounded off if it passes the corner at the distance
+    /// The turn, degrees, and the length of path on either side that is rounded if the path passes the corner at the distance
     /// `aside`, spacings: an arc of radius `r` misses a corner by `r (1 / cos(turn / 2) - 1)` and leaves its sides
-    /// `r tan(turn / 2)` before it. `None` where no rounding explains the distance.
+    /// `r tan(turn / 2)` before it. `None` if no rounding explains the distance.
     fn rounding(&self, aside: f64, rounded: f64) -> Option<(f64, f64)> {
         let half = 0.5 * self.cosine.clamp(-1.0, 1.0).acos();
         let missed = (1.0 / half.cos().max(0.1) - 1.0).max(1e-6);
@@ -218,7 +218,7 @@ impl Line {
     }
 }
 
-/// Half way between the places where two lines pass nearest.
+/// The middle between the places where two lines pass nearest.
 fn crossing(a: &Line, b: &Line) -> Option<[f64; 3]> {
     let cosine = dot(a.direction, b.direction);
     let sine2 = 1.0 - cosine * cosine;
@@ -232,7 +232,7 @@ fn crossing(a: &Line, b: &Line) -> Option<[f64; 3]> {
     Some(scale(add(p, q), 0.5))
 }
 
-/// Root mean square distance from the cubic curve over the distance along the path that fits both sides best.
+/// Root mean square residual of the best cubic curve through both sides, as a function of the distance along the path.
 fn smooth_residual(sides: &[Vec<(f64, [f64; 3])>; 2]) -> f64 {
     let all = || sides.iter().flatten().map(|&(s, p)| (s / SIDES[0], p));
     let mut matrix = Skyline::zeros(vec![0; 4]);

@@ -1,21 +1,22 @@
-//! Creases that end near a border end on it: the surface that folds ends there too.
+//! Leads creases that end near a border on to it, as the folded surface ends there too.
 //!
-//! Both patterns get a vertex at the same place, which is a node of both. Not in Gumhold 2001, whose patterns do not meet.
+//! Both patterns get a node at the same place. Not in Gumhold 2001, whose patterns do not meet.
 
 use crate::math::vec3::{add, distance, distance2, dot, norm, scale, sub, unit};
 use crate::neighbors::Index;
 use crate::pattern::{LineGraph, Pattern};
 use crate::surface::Scales;
 
-/// How far a loose crease end may be from a border, spacings, and how far it may look aside from it, degrees; nearest first.
+/// Greatest distance of a loose crease end from a border, spacings, and greatest angle between its direction and the border's
+/// vertex, degrees; nearest first.
 const DOCKING: [(f64, f64); 3] = [(2.0, 100.0), (4.0, 60.0), (6.0, 35.0)];
-/// Length of crease that an end's direction is taken from, spacings.
+/// Length of the piece of crease that gives the direction of its end, spacings.
 const TANGENT: f64 = 4.0;
 /// Greatest length of a border's edge near a loose end, spacings.
 const EDGE_STEP: f64 = 1.0;
-/// Pieces of an edge at the most: only points of two scales make edges of so many spacings.
+/// Greatest number of pieces of an edge: only a cloud of two scales has edges of so many spacings.
 const PIECES: f64 = 256.0;
-/// A node of the border that is no farther than this from where a crease would meet it is where it does, spacings.
+/// A crease that would meet the border no farther than this from a node ends in that node, spacings.
 const SAME_NODE: f64 = 2.0;
 
 /// Leads loose crease ends on to borders.
@@ -48,7 +49,7 @@ pub(crate) fn dock(pattern: &mut Pattern, scales: Scales) {
     }
 }
 
-/// Gives the border vertices along its long edges that pass near loose ends, for the ends to meet.
+/// Divides long border edges near loose ends, so that the ends find vertices to meet.
 fn refine(border: &mut LineGraph, ends: Vec<[f64; 3]>, scales: Scales) {
     let index = Index::build(&ends);
     let mut found = Vec::new();
@@ -66,7 +67,7 @@ fn refine(border: &mut LineGraph, ends: Vec<[f64; 3]>, scales: Scales) {
     }
 }
 
-/// Of some vertices of the border the one that the end reaches with the least way and turn.
+/// The border vertex, among those given, that the end reaches with the least distance and turn.
 fn ahead(
     border: &LineGraph,
     vertices: impl Iterator<Item = u32>,
@@ -103,7 +104,7 @@ fn tangent(crease: &LineGraph, end: u32, h: f64) -> [f64; 3] {
     unit(sub(position, crease.positions[at as usize]))
 }
 
-/// Lengthens the crease from `end` to the border's vertex `target`, a node from now on.
+/// Lengthens the crease from `end` to the border's vertex `target`, which becomes a node.
 fn meet(crease: &mut LineGraph, border: &mut LineGraph, end: u32, target: u32) {
     let place = border.positions[target as usize];
     if distance2(crease.positions[end as usize], place) > 0.0 {

@@ -1,9 +1,9 @@
 //! Keeps or drops whole strips by the evidence along them.
 //!
-//! One point's cross-section says little under noise; along a strip the evidence adds up. What a strip shows is compared with
-//! what a sharp fold of its own angle would show at the same places: sharp strips reach it, rounds reach none of it, and the
-//! comparison needs no threshold that would have to grow with noise. A piece of the network whose evidence all together could be
-//! chance is dropped as well. Not in Gumhold 2001, whose pruning is by length alone.
+//! One point's cross-section is uncertain under noise, but along a strip the evidence adds up. The evidence of a strip is
+//! compared with the evidence expected of a sharp fold of the same angle at the same places: a sharp strip reaches it, a round
+//! shows almost none, and the comparison needs no threshold that grows with noise. A connected piece is dropped as well if all
+//! its evidence together could be chance. Not in Gumhold 2001, which prunes by length alone.
 
 use crate::link::spanning::CycleRule;
 use crate::math::union_find::UnionFind;
@@ -16,7 +16,7 @@ use crate::surface::Scales;
 /// A strip shorter than this, in spacings, lies within the junctions at its ends and is not judged by itself.
 const WITHIN_JUNCTION: f64 = 3.0;
 
-/// Drops strips that are round, then pieces too short or with too little evidence to be lines.
+/// Drops strips along rounds, then pieces too short or with too little evidence to be lines.
 pub(crate) fn judge(lines: &mut LineGraph, scales: Scales, rule: CycleRule, params: &RepairParams) {
     let share = params.sharp_share;
     loop {
@@ -29,11 +29,11 @@ pub(crate) fn judge(lines: &mut LineGraph, scales: Scales, rule: CycleRule, para
             remove_path(lines, path);
         }
     }
-    // Neighbouring points share their neighbours, so that chance adds up to some twenty along the false lines of a noisy round.
+    // Neighbouring points share their neighbours, so chance alone adds up to about twenty along the false lines of a noisy round.
     drop_pieces(lines, rule.long_branch(), params.evidence, scales);
 }
 
-/// Whether the strip shows less than a `share` of the evidence that a fold of its angle would.
+/// Whether the strip shows less than a `share` of the evidence expected of a fold of its angle.
 fn is_round(lines: &LineGraph, path: &Path, scales: Scales, share: f64) -> bool {
     let shown = || path.vertices.iter().map(|&v| sums_of(lines.evidence[v as usize]));
     let loose = path.ends.is_some_and(|e| e.iter().any(|&v| lines.edges[v as usize].len() == 1));
@@ -44,7 +44,7 @@ fn is_round(lines: &LineGraph, path: &Path, scales: Scales, share: f64) -> bool 
     expected > 0.0 && shown().map(|s| s[0]).sum::<f64>() < share * expected
 }
 
-/// Evidence that a vertex adds to a sum, and that which a sharp fold would add: none without a cross-section.
+/// The evidence of a vertex and the evidence expected of a sharp fold; zero without a cross-section.
 fn sums_of(evidence: Option<Evidence>) -> [f64; 2] {
     evidence.map_or([0.0; 2], |e| [e.sharp, e.expected].map(f64::from))
 }
@@ -58,7 +58,7 @@ fn remove_path(lines: &mut LineGraph, path: &Path) {
     }
 }
 
-/// Removes connected pieces whose edges add up to less than `least` spacings, and those that show less evidence than is `sure`.
+/// Removes connected pieces shorter than `least` spacings in all, and those with less evidence than `sure`.
 fn drop_pieces(lines: &mut LineGraph, least: f64, sure: f64, scales: Scales) {
     let count = lines.edges.len();
     let mut sets = UnionFind::new(count);
@@ -67,7 +67,7 @@ fn drop_pieces(lines: &mut LineGraph, least: f64, sure: f64, scales: Scales) {
             sets.union(a as u32, b);
         }
     }
-    // Length, evidence, and what sharp folds would show: none of it where no cross-section was taken, as at borders.
+    // Length, evidence and expected evidence; the last two are zero where no cross-section was taken, as at borders.
     let mut sums = vec![[0.0; 3]; count];
     for a in 0..count {
         let sum = &mut sums[sets.find(a as u32) as usize];
@@ -85,7 +85,7 @@ fn drop_pieces(lines: &mut LineGraph, least: f64, sure: f64, scales: Scales) {
     }
 }
 
-/// Length along some vertices, spacings.
+/// Length of the path through `vertices`, spacings.
 fn length(lines: &LineGraph, vertices: &[u32], scales: Scales) -> f64 {
     let edge = |w: &[u32]| {
         let [a, b] = [w[0] as usize, w[1] as usize];

@@ -1,7 +1,7 @@
-//! Closing over weak ground (robust form): from an open end along the clusters that the pruning left out.
+//! Closes gaps over weak ground (robust form): from an open end along clusters that the pruning removed.
 //!
 //! The paper links an endpoint by one straight edge. Where a fold fades for longer than that, the small clusters still show
-//! the way: the shortest path through `G_extended` that comes back to the lines, without making a small cycle.
+//! the way: the shortest path through `G_extended` that leads back to the lines without closing a small cycle.
 
 use crate::link::spanning::{Metric, Walker};
 use crate::math::vec3::distance;
@@ -10,16 +10,16 @@ use crate::resolution::Resolution;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Longest way through weak clusters, spacings, in rounds: short ways first, as they may make long ones needless.
-/// A way is no longer than the strip that leads up to it.
+/// Longest way through weak clusters in each round, spacings: short ways first, as they may make long ones needless. No way is
+/// longer than the strip that leads up to it.
 const LONGEST_WAY: [f64; 3] = [4.0, 10.0, 20.0];
-/// A path within the lines this many times as long as the way itself, and some spacings more, makes no small cycle.
+/// A way closes a small cycle if a path within the lines is no longer than so many times the way plus so many spacings.
 const DETOUR: (f64, f64) = (2.0, 4.0);
 
 /// Lengths in millionths of a spacing, so that they have a total order and equal ones go by index.
 type Length = u64;
 
-/// Closes what it can; `all` is `G_extended` on the same vertices, of which `lines` may have some more at the end.
+/// Closes the open ends that it can. `all` is `G_extended` on the same vertices; `lines` may have further ones after them.
 pub(crate) fn reroute(lines: &mut LineGraph, all: &LineGraph, resolution: Resolution, metric: Metric) {
     let mut walker = Walker::new(lines.edges.len(), metric);
     for longest in LONGEST_WAY {

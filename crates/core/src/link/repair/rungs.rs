@@ -1,4 +1,4 @@
-//! Rungs: the short links that a spanning graph leaves between two lines that run beside each other. Robust form.
+//! Removes rungs: short links that a spanning graph leaves between two lines side by side (robust form).
 //!
 //! The rims of a plate or of a thin wall are lines of their own, a spacing or two apart. The minimum spanning graph joins
 //! whatever it can reach (Gumhold 2001, section 3.2), so one edge leads from rim to rim; as both its ends lie on lines, no
@@ -10,14 +10,14 @@ use crate::params::RepairParams;
 use crate::pattern::LineGraph;
 use crate::surface::Scales;
 
-/// Most edges: a longer row is a line that was seen.
+/// Greatest number of edges of a rung: a longer row of points is a line of its own.
 const MOST_EDGES: usize = 2;
-/// Length of line on both sides of an end that says whether it passes straight, spacings.
+/// Length of line on either side of a rung's end by which the line passes straight or not, spacings.
 const TANGENT: f64 = 2.5;
-/// Greatest turn of a line that passes.
+/// Greatest turn of a line that passes straight.
 const PASSING_DEG: f64 = 40.0;
 
-/// Takes away all rungs, the shortest first.
+/// Removes all rungs, the shortest first.
 pub(crate) fn remove_rungs(lines: &mut LineGraph, scales: Scales, params: &RepairParams) {
     let h = |v: u32| scales.unit(lines.points[v as usize]);
     let mut rungs: Vec<(f64, Vec<u32>)> = (0..lines.edges.len() as u32)
@@ -57,7 +57,7 @@ fn rung(lines: &LineGraph, v: u32, w: u32, longest: f64) -> Option<(f64, Vec<u32
     }
 }
 
-/// Whether the line through `v` other than by `away` passes straight.
+/// Whether the line through `v`, apart from its edge to `away`, passes straight.
 fn passes(lines: &LineGraph, v: u32, away: u32, reach: f64) -> bool {
     let through: Vec<u32> = lines.edges[v as usize].iter().copied().filter(|&w| w != away).collect();
     let [a, b] = through[..] else { return false };
@@ -65,7 +65,7 @@ fn passes(lines: &LineGraph, v: u32, away: u32, reach: f64) -> bool {
     -dot(p, q) >= PASSING_DEG.to_radians().cos()
 }
 
-/// The place that the line from `v` through `w` has come to after `reach`, or at its next junction.
+/// The place of the line from `v` through `w` at the distance `reach`, or at its next junction.
 fn ahead(lines: &LineGraph, v: u32, w: u32, reach: f64) -> [f64; 3] {
     let (mut before, mut at, mut length) = (v, w, 0.0);
     loop {

@@ -10,11 +10,13 @@ use crate::params::PenaltyForm;
 use crate::pattern::LineGraph;
 use crate::surface::Scales;
 
-/// Longest cycle whose openness is looked at, in `rho`.
+/// Longest cycle whose openness is tested, in multiples of `rho`.
 const WHOLE_CYCLE: f64 = 8.0;
 
-/// Adds the edges in their order, unless they close a cycle that is shorter than `rho` or, in the robust form, encloses
-/// nothing.
+/// Computes the minimum spanning graph (the paper's pseudocode "compute MSG") from `edges`, the queue in ascending order.
+///
+/// An edge is added if it joins two components of the disjoint sets (the paper's `find`), or if it closes a cycle that is
+/// longer than `rho` (`pathLonger`) and, in the robust form, encloses an area.
 pub(crate) fn minimum_spanning_graph(
     penalties: &Penalties,
     edges: &[Candidate],
@@ -44,7 +46,8 @@ pub(crate) fn minimum_spanning_graph(
     lines
 }
 
-/// Whether the cycle that `edge` closes is long enough (the paper's `pathLonger`), and in the robust form open.
+/// The cycle test: whether the cycle that `edge` closes is longer than `rho` (the paper's `pathLonger`) and, in the robust
+/// form, open.
 pub(crate) fn closes_long(
     lines: &LineGraph,
     walker: &mut Walker,
@@ -59,14 +62,14 @@ pub(crate) fn closes_long(
     }
     match rule.form {
         PenaltyForm::Paper => true,
-        // A cycle much longer than it is wide may be two strands of one band: look at the shortest one whole.
+        // A cycle much longer than it is wide may be two strands of one band: the shortest one decides.
         PenaltyForm::Robust => walker
             .path(lines, edge.a, edge.b, WHOLE_CYCLE * rule.rho)
             .is_none_or(|path| openness(&lines.positions, &path) >= rule.openness * unit),
     }
 }
 
-/// Area over length of the polygon through `path`.
+/// Ratio of area to length of the polygon through `path`.
 fn openness(positions: &[[f64; 3]], path: &[u32]) -> f64 {
     let at = |i: usize| positions[path[i % path.len()] as usize];
     let (mut area, mut length) = ([0.0; 3], 0.0);

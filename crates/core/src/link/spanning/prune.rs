@@ -4,10 +4,10 @@ use super::rule::CycleRule;
 use super::walk::Walker;
 use crate::pattern::LineGraph;
 
-/// Takes away branches less deep than half of `rho`, but leaves each singleton end its longest path.
+/// Removes branches less deep than half of `rho`, but leaves each singleton end its longest path.
 ///
-/// Both steps of the paper are one rule here: where `n` of the branches at a vertex are long, all short ones go but the
-/// `2 - n` deepest. Repeated until nothing changes, as a removal can lay an end open.
+/// The paper's two steps are one rule here: at a vertex with `n` long branches, all short ones go except the `2 - n` deepest.
+/// This is repeated until nothing changes, as a removal can turn a junction into a singleton end.
 pub(crate) fn prune(lines: &mut LineGraph, rule: CycleRule) {
     let mut walker = Walker::new(lines.edges.len(), rule.metric);
     loop {
@@ -35,7 +35,7 @@ fn prune_at(lines: &mut LineGraph, walker: &mut Walker, v: u32, long: f64) -> bo
     !gone.is_empty()
 }
 
-/// Removes the tree that hangs on `root` through `first`.
+/// Removes the tree attached to `root` through `first`.
 pub(crate) fn remove_branch(lines: &mut LineGraph, root: u32, first: u32) {
     lines.remove_edge(root, first);
     let mut open = vec![first];

@@ -1,34 +1,34 @@
-//! How long is long: which cycles are lines and which branches are short.
+//! The length `rho`: which cycles are long enough to stay and which branches are short (Gumhold 2001, section 3.2).
 
 use crate::params::{Auto, PenaltyForm, SpanningParams};
 use crate::surface::Scales;
 
-/// What the lengths of cycles and branches are measured in.
+/// The measure of length of cycles and branches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Metric<'a> {
-    /// Every edge counts one, as printed.
+    /// The number of edges, as printed.
     Edges,
-    /// Lengths along the line in spacings, those at each place.
+    /// The length along the line, in the spacings at each place.
     Lengths(Scales<'a>),
 }
 
-/// Which cycles of a spanning graph stay, and which branches go.
+/// The rule by which cycles of a spanning graph stay and branches go.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct CycleRule<'a> {
     /// Least length of a cycle; branches shorter than half of it are pruned (the paper's `rho`).
     pub(crate) rho: f64,
-    /// What `rho` is measured in.
+    /// The measure of `rho`.
     pub(crate) metric: Metric<'a>,
     /// Least ratio of the area that a cycle encloses to its length, spacings (robust form): keeps two strands of one band from
-    /// passing for a loop.
+    /// forming a loop.
     pub(crate) openness: f64,
-    /// Whether cycles are tested, and lines repaired, as printed or in the robust form.
+    /// The form of the cycle test and of the steps that follow.
     pub(crate) form: PenaltyForm,
 }
 
 impl<'a> CycleRule<'a> {
-    /// `rho` as given, in edges; else as printed half the root of the number of points (section 3.2), and in the robust form
-    /// a length that small holes still have.
+    /// `rho` as given, in edges; by default half the root of the number of points as printed (section 3.2), and in the robust
+    /// form a length that the loops around small holes exceed.
     pub(crate) fn new(
         params: &SpanningParams,
         form: PenaltyForm,

@@ -6,11 +6,11 @@ use crate::pattern::LineGraph;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Shortest-path walker with counter stamps in place of cleared flags (Gumhold 2001, section 3.2).
+/// Shortest-path search that stamps visited vertices with a counter instead of clearing flags (Gumhold 2001, section 3.2).
 pub(crate) struct Walker<'a> {
     stamp: Vec<u32>,
     now: u32,
-    /// Where each vertex was reached from, valid for the present stamp.
+    /// The vertex from which each was reached, valid for the present stamp.
     from: Vec<u32>,
     reached: Vec<f64>,
     heap: BinaryHeap<(Reverse<Length>, Reverse<u32>)>,
@@ -60,7 +60,7 @@ impl<'a> Walker<'a> {
         }
     }
 
-    /// The shortest path from `a` to `b` if there is one no longer than `limit`: its vertices from `b` back to `a`.
+    /// The shortest path from `a` to `b`, as vertices from `b` back to `a`; `None` if it is longer than `limit`.
     pub fn path(&mut self, lines: &LineGraph, a: u32, b: u32, limit: f64) -> Option<Vec<u32>> {
         self.begin(a);
         while let Some((Reverse(Length(length)), Reverse(v))) = self.heap.pop() {
@@ -75,8 +75,8 @@ impl<'a> Walker<'a> {
         None
     }
 
-    /// How deep the branch is that leaves `root` through its neighbour `first`: infinite if it comes back to `root` or
-    /// is at least `limit` deep.
+    /// The depth of the branch that leaves `root` through its neighbour `first`: infinite if it leads back to `root` or is at
+    /// least `limit` deep.
     pub fn depth(&mut self, lines: &LineGraph, root: u32, first: u32, limit: f64) -> f64 {
         self.begin(root);
         self.heap.clear();

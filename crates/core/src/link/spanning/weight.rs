@@ -1,4 +1,4 @@
-//! Edge weights (Gumhold 2001, section 3.2, `w_c` and `w_b`).
+//! The edge weights `w_c` and `w_b` of the minimum spanning graph (Gumhold 2001, section 3.2).
 
 use crate::math::vec3::{add_scaled, dot, norm, scale, sub};
 use crate::measure::{Direction, Penalties};
@@ -6,13 +6,13 @@ use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::surface::Scales;
 use rayon::prelude::*;
 
-/// Greatest length of an edge in mean distances to the direct neighbours, at the end where those are less.
+/// Greatest length of an edge, in units of the lesser of the average neighbour distances (`mu`) at its ends.
 const LONGEST_EDGE: f64 = 8.0;
 
 /// An edge between two candidates that may enter a pattern.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
-    /// Penalty share plus length over mean density.
+    /// `w_c` or `w_b`: penalty share plus length term.
     pub weight: f64,
     /// Lesser candidate (index into [`Penalties`]).
     pub a: u32,
@@ -20,8 +20,8 @@ pub struct Candidate {
     pub b: u32,
 }
 
-/// The edges between candidates at most `hops` apart in the neighbour graph whose penalty share stays below `tau`, in
-/// ascending order of weight, ties by index. `density` is that of every point.
+/// The edges between candidates at most `hops` apart in the neighbour graph whose penalty share is below `tau`, in ascending
+/// order of weight, ties by index. `density` is the average neighbour distance (`mu`) of every point.
 pub(crate) fn candidate_edges(
     graph: &Neighbors,
     density: &[f32],
@@ -58,9 +58,9 @@ fn order(x: &Candidate, y: &Candidate) -> std::cmp::Ordering {
     x.weight.total_cmp(&y.weight).then((x.a, x.b).cmp(&(y.a, y.b)))
 }
 
-/// The weight of the edge between the candidates `a` and `b`; `None` at or above `tau`, and for an
-/// edge that is far longer than the sampling at its denser end: it leads to a stray point. `density` is that of both, zero
-/// where unknown; `spacing` is the length of one there.
+/// The edge between the candidates `a` and `b` with its weight; `None` if its penalty share reaches `tau`, or if it is far
+/// longer than the sampling at its denser end, as it then leads to a stray point. `density` holds the `mu` of both ends, zero
+/// where unknown; `spacing` is the local spacing.
 fn weigh(
     penalties: &Penalties,
     a: usize,
@@ -76,14 +76,15 @@ fn weigh(
     }
     let directional: f64 = [a, b].map(|i| directional(penalties, i, edge, length, spacing)).iter().sum();
     let scalar = f64::from(penalties.scalar[a] + penalties.scalar[b]);
-    // w_c with omega_kappa, omega_cr and omega_co, or w_b with omega_b2 and omega_b1: the penalties, then the length.
+    // w_c = alpha (omega_kappa of both ends) + (1 - alpha) (min of |omega_cr . e| and omega_co of both ends) + length term;
+    // w_b the same with gamma, omega_b2 and omega_b1. The length term is 2 |e| / (mu(p) + mu(q)).
     let share = penalties.share * scalar + (1.0 - penalties.share) * directional;
     let weight =
         share + if density[0] + density[1] > 0.0 { 2.0 * length / (density[0] + density[1]) } else { 0.0 };
     (share < tau).then_some(Candidate { weight, a: a as u32, b: b as u32 })
 }
 
-/// The vector penalty of one end of an edge, bounded by its corner penalty.
+/// The directional penalty of one end of an edge, at most its corner penalty.
 fn directional(penalties: &Penalties, i: usize, edge: [f64; 3], length: f64, spacing: f64) -> f64 {
     let vector = penalties.vector[i].map(f64::from);
     let penalty = match penalties.direction {
