@@ -1,7 +1,7 @@
-//! Detectors: what every point says of the lines it may lie on.
+//! Detectors: penalties, classes and scores of every point.
 //!
-//! As printed: `penalty` (Gumhold 2001), `projection` (Tran 2013), `segments` (Demarsin 2007), and the measures that Tran sets
-//! beside his own, `baselines`. Ours: `evidence`.
+//! As printed: `penalty` (Gumhold 2001), `projection` (Tran 2013), `segments` (Demarsin 2007), and the measures to which Tran
+//! compares his own, `baselines`. Ours: `evidence`.
 
 pub mod baselines;
 pub(crate) mod evidence;

@@ -1,9 +1,9 @@
-//! The measures that Tran 2013 is compared with, each with the same automatic threshold.
+//! The measures to which Tran 2013 compares the projected distance, each with the same automatic threshold.
 //!
-//! Section 3.1 of the paper sets the projected distance beside surface variation, mean curvature and the difference of
-//! normals, all cut by Otsu's method. The paper gives no scale for them; here it is 16, the size that it calls the usual one.
-//! Two measures of M. Pauly, R. Keiser and M. Gross, *Multi-scale Feature Extraction on Point-Sampled Surfaces*, Computer
-//! Graphics Forum 22 (2003), stand beside them, at the seven scales of Tran.
+//! Section 3.1 of the paper compares it with surface variation, mean curvature and the difference of normals, all cut by
+//! Otsu's method. The paper gives no scale for them; here it is 16, which the paper calls the usual size. Two more measures, at
+//! the seven scales of Tran, are those of M. Pauly, R. Keiser and M. Gross, *Multi-scale Feature Extraction on Point-Sampled
+//! Surfaces*, Computer Graphics Forum 22 (2003).
 
 mod curvature;
 mod normal_difference;
@@ -14,10 +14,10 @@ use super::projection::project;
 use crate::params::{ProjectionParams, choices};
 use crate::resolution::Resolution;
 
-/// Neighbours of the measures that have one scale, and its index among the scales.
+/// Number of neighbours for the measures of one scale, and its index among the scales.
 const SCALE: (usize, usize) = (16, 2);
 
-/// Values up to here are rounding: all of these measures are numbers near one where there is an edge.
+/// Values up to this are rounding: at an edge all of these measures are near one.
 const ROUNDING: f64 = 1e-6;
 
 /// A measure that marks points by itself.
@@ -29,9 +29,9 @@ pub enum Detector {
     SurfaceVariation,
     /// Absolute mean curvature of a fitted quadric.
     MeanCurvature,
-    /// Mean angle between the normal and its neighbours'.
+    /// Mean angle between the normal of a point and those of its neighbours.
     NormalDifference,
-    /// Greatest surface variation of all scales (Pauly 2003, section 2).
+    /// Greatest surface variation over all scales (Pauly 2003, section 2).
     MultiscaleVariation,
     /// Share of the scales at which the surface variation is high (Pauly 2003, section 3).
     Persistence,

@@ -1,7 +1,7 @@
 //! Point penalties (Gumhold 2001, sections 2.2 and 3.1): how improbable it is that a point lies on a crease, a corner or a
 //! border.
 //!
-//! Two forms. `as_printed` is the paper's. `robust`, the default, departs where the paper is fragile: see there.
+//! Two forms: `as_printed` is the paper's; `robust`, the default, departs from it where it is fragile.
 
 mod as_printed;
 mod robust;
@@ -14,7 +14,7 @@ use crate::resolution::Resolution;
 use crate::surface::Scales;
 use rayon::prelude::*;
 
-/// The values that the parameters left to the data.
+/// Parameters derived from the data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Derived {
     /// Graph distance of the neighbourhoods.
@@ -23,8 +23,8 @@ pub struct Derived {
     pub alpha: f64,
 }
 
-/// Neighbourhood and share that suit the noise, unless given (section 3.1: direct neighbours without noise, graph distance
-/// up to five with much; section 3.2: alpha from 0.5 down to 0.2).
+/// Derives neighbourhood and share from the noise, unless given (section 3.1: direct neighbours without noise, graph distance
+/// up to five with much noise; section 3.2: alpha from 0.5 down to 0.2).
 pub fn derive(params: &PenaltyParams, resolution: Resolution) -> Derived {
     let ratio = resolution.noise / resolution.spacing;
     let alpha = params.alpha.or(|| (0.5 - 0.6 * (ratio - 0.05)).clamp(0.2, 0.5));

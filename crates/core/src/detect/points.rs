@@ -10,16 +10,16 @@ use crate::params::Params;
 use crate::prepare::prepare;
 use crate::report::{Clock, Report};
 
-/// What detectors say of the points of a cloud.
+/// The points of a cloud, scored and marked by detectors.
 #[derive(Clone, Debug)]
 pub struct Marked {
     /// Counts and estimates; the stages are not timed.
     pub report: Report,
-    /// `(N)` for each point of the input its canonical index; `u32::MAX` if it was dropped or is clutter.
+    /// `(N)` canonical index of each input point; `u32::MAX` if it was dropped or is clutter.
     pub canonical: Vec<u32>,
     /// The points of the input that are clutter, ascending.
     pub clutter: Vec<u32>,
-    /// For each detector asked for, in that order, its scores and marks; canonical order.
+    /// Scores and marks of each detector, in the order asked for; the points in canonical order.
     pub marks: Vec<(Detector, Marks)>,
 }
 
@@ -53,8 +53,8 @@ fn setting(detector: Detector, marks: &Marks) -> (String, String) {
 }
 
 impl Marked {
-    /// `(N)` what the `which`-th detector asked for makes of each point, in the order of the input; dropped points are
-    /// smooth, and all are if there is no such detector.
+    /// `(N)` classes by the `which`-th detector asked for, in the order of the input. Dropped points are smooth, and all points
+    /// are if there is no such detector.
     pub fn classes(&self, which: usize) -> Vec<Class> {
         let classes = self.marks.get(which).map(|(_, marks)| marks.classes()).unwrap_or_default();
         let of_point = |&c: &u32| classes.get(c as usize).copied().unwrap_or_default();
@@ -63,8 +63,8 @@ impl Marked {
         classes
     }
 
-    /// `(N)` the scores of the `which`-th detector asked for, 0 to 1, in the order of the input; NaN for dropped points,
-    /// zero for clutter.
+    /// `(N)` scores by the `which`-th detector asked for, 0 to 1, in the order of the input; NaN for dropped points, zero for
+    /// clutter.
     pub fn scores(&self, which: usize) -> Vec<f32> {
         let scores = self.marks.get(which).map(|(_, marks)| marks.score.as_slice()).unwrap_or_default();
         let of_point = |&c: &u32| scores.get(c as usize).copied().unwrap_or(f32::NAN);

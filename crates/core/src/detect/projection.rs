@@ -1,17 +1,20 @@
 //! The projected distance at each point's best scale.
 //!
 //! T.-T. Tran, S. Ali and D. Laurendeau, *Automatic Sharp Feature Extraction from Point Clouds with Optimal Neighborhood
-//! Size*, MVA 2013. A point of a smooth place lies in the plane of its neighbourhood; one on an edge stands off its centroid
-//! along the normal. [`scales`] measures that at seven sizes of neighbourhood (sections 2.1 and 2.2), `choice` takes the
-//! one before the edge comes into sight (2.3), and Otsu's threshold on the histogram of the result marks points (2.4).
+//! Size*, MVA 2013. On a smooth surface a point lies in the plane of its neighbourhood; on an edge it is displaced from the
+//! centroid along the normal. [`scales`] measures this displacement at seven sizes of neighbourhood (sections 2.1 and 2.2),
+//! `choice` finds the optimal size by the rate of change (2.3), and Otsu's threshold on the histogram of the result marks
+//! points (2.4).
 //!
-//! Said more closely than in the paper:
-//! * The final value is the distance over the radius of its neighbourhood, so that sparse places do not outweigh dense ones.
-//! * Its histogram has no resolution there: here 256 bins.
-//! * Figure 5 tells smooth points from potential edges and corners by one cut. Points within a spacing of an edge see it too
-//!   and stand between: Otsu's method for three classes tells all three, and marks the two upper ones, where that is not most
-//!   of the cloud (see [`Marks::new`]). With `projection.classes=2` the one cut is the paper's, and marks lie on the edge.
-//! * Ratios of distances that are rounding or noise count as none, and such distances are no edge: see `choice`.
+//! Details that the paper leaves open, and departures:
+//! * The final value is the distance divided by the radius of its neighbourhood, so that sparse places do not outweigh dense
+//!   ones.
+//! * The paper does not give the resolution of the histogram; here it has 256 bins.
+//! * In figure 5 one cut tells smooth points from potential edges and corners. The neighbourhoods of points within a spacing of
+//!   an edge hold it too, so their values lie between: Otsu's method for three classes tells all three apart and marks the two
+//!   upper ones, unless these are most of the cloud (see [`Marks::new`]). With `projection.classes=2` there is one cut, the
+//!   paper's, and marks lie on the edge.
+//! * Distances that are rounding or noise are not edges, and their ratios do not count: see `choice`.
 //!
 //! The paper ends with marked points; `candidates` prepares them for a linker.
 
@@ -27,10 +30,10 @@ use crate::resolution::Resolution;
 use marks::{Floor, Marks};
 use scales::{SCALES, at_every_scale};
 
-/// What the method says of every point, canonical order.
+/// The method's results for every point, canonical order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Projection {
-    /// Projected distances at the best scales over their radii, normalised, with the threshold.
+    /// Projected distances at the best scales divided by the radii, normalised, with the threshold.
     pub marks: Marks,
     /// `(N)` the best scale: a number of neighbours.
     pub scale: Vec<u8>,
@@ -38,15 +41,14 @@ pub struct Projection {
     pub normal: Vec<[f32; 3]>,
 }
 
-/// Noise, in spacings, above which a quarter of the marks and more is wrong or missing; measured on a part with known edges
-/// (the bench `projection`), where F1 falls from .93 to .77 there.
+/// Noise, in spacings, above which a quarter of the marks or more are wrong or missing; measured on a part with known edges (the
+/// bench `projection`), where F1 falls from .93 to .77 at this noise.
 pub const NOISE_LIMIT: f64 = 0.15;
 
-/// Greatest projected distance, in spacings, of a point near an edge and not at it (the paper's table 1: less than 0.1).
+/// Greatest projected distance, in spacings, of a point near an edge but not on it (the paper's table 1: less than 0.1).
 const NEAR_SHARP: f64 = 0.1;
 
-/// Projected distances of all points at their best scales, and which of them are marked. `points` in canonical order,
-/// local frame.
+/// Projected distances of all points at their best scales, with the marks. `points` in canonical order, local frame.
 pub fn project(points: &[[f64; 3]], resolution: Resolution, params: &ProjectionParams) -> Projection {
     let floor = choice::floor(resolution, params);
     let standard = choice::standard(resolution);
@@ -66,14 +68,14 @@ pub fn project(points: &[[f64; 3]], resolution: Resolution, params: &ProjectionP
         projection.scale.push(scale);
         projection.normal.push(normal);
     }
-    // A disc of one point for each square of the spacing has this radius.
+    // The radius of a disc with one point for each square spacing.
     let radius = ((SCALES[standard] + 1) as f64 / PI).sqrt() * resolution.spacing;
     let floor = Floor { mark: floor / radius, beside: NEAR_SHARP * resolution.spacing / radius };
     projection.marks = Marks::new(distances, floor, params);
     projection
 }
 
-/// What to tell the user when there is too much noise for this method.
+/// The warning for a cloud with too much noise for this method; `None` for others.
 pub fn warning(resolution: Resolution) -> Option<String> {
     let ratio = resolution.noise / resolution.spacing;
     (ratio > NOISE_LIMIT).then(|| {

@@ -1,12 +1,13 @@
 //! First-order segmentation (Demarsin et al. 2007, section 2.2): clusters of points whose normals change little from
 //! neighbour to neighbour.
 //!
-//! Region growing with one angle, whatever point it begins from, gives the connected components of the relation "adjacent,
-//! and the normals differ by no more than the angle". They are taken directly, so no order of points can matter.
+//! Region growing with one angle gives the connected components of the relation "adjacent, and the normals differ by no more
+//! than the angle", from whatever point it starts. The components are computed directly, so that the order of points cannot
+//! matter.
 //!
-//! Two forms. `as_printed`: normals of the one-rings; clusters below the mean size are small, and are what sharp edges are made
-//! of. `robust`: normals that keep to their side of a crease, so that faces stay whole under noise; what is then left in
-//! small clusters is given to the large one beside it, and the places where large clusters meet are known for every point.
+//! Two forms. `as_printed`: normals of the one-rings; clusters below the mean size are small and lie along sharp edges.
+//! `robust`: normals that keep to their side of a crease, so that faces stay whole under noise; remaining small clusters are
+//! absorbed by the large ones beside them.
 
 mod absorb;
 mod as_printed;

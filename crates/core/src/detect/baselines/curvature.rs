@@ -1,4 +1,4 @@
-//! Mean curvature of a quadric fitted to the neighbourhood.
+//! Mean curvature of a quadric fitted to the neighbourhood (a measure to which Tran 2013, figure 6, compares his own).
 
 use super::SCALE;
 use crate::detect::projection::scales::at_every_scale;
@@ -9,8 +9,8 @@ use crate::resolution::Resolution;
 /// Coefficients of `z = a + b u + c v + d u^2 + e u v + f v^2`.
 const TERMS: usize = 6;
 
-/// `(N)` absolute mean curvature at a point, of the least-squares quadric over the tangent plane through it and its 16
-/// nearest neighbours: per spacing, at most 1, as no radius below one spacing is seen. Zero where the points carry no
+/// `(N)` absolute mean curvature at each point of the least-squares quadric through it and its 16 nearest neighbours, over their
+/// tangent plane: per spacing, at most 1, as no radius below one spacing can be seen. Zero where the points determine no
 /// quadric.
 pub(super) fn mean(points: &[[f64; 3]], resolution: Resolution) -> Vec<f32> {
     at_every_scale(points, |i, nearest, scales| {
@@ -30,7 +30,7 @@ fn curvature([_, b, c, d, e, f]: [f64; TERMS]) -> f64 {
     (0.5 * above / (1.0 + b * b + c * c).powf(1.5)).abs()
 }
 
-/// Least squares by the normal equations; `None` when they are singular.
+/// Least squares by the normal equations; `None` if they are singular.
 fn quadric(rows: impl Iterator<Item = [f64; 3]>) -> Option<[f64; TERMS]> {
     least_squares(rows.map(|[u, v, z]| ([1.0, u, v, u * u, u * v, v * v], z)))
 }

@@ -1,7 +1,7 @@
-//! Feet drawn together across their line, so that a band of candidates is a line before it is linked.
+//! Aligns the feet of candidates, so that a band of candidates is a line before it is linked.
 //!
-//! Each candidate moves across its own direction to the mean of the feet beside it: one step of mean shift. Without it the
-//! minimum spanning graph zigzags through the band, which lengthens its branches past any pruning.
+//! Each candidate moves across its own direction to the mean of the feet beside it: one step of mean shift. Otherwise the
+//! minimum spanning graph zigzags through the band, and its branches grow too long to be pruned.
 
 use crate::math::vec3::{add_scaled, dot, norm, scale, sub};
 use crate::measure::Penalties;
@@ -9,10 +9,10 @@ use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::surface::Scales;
 use rayon::prelude::*;
 
-/// Certainty of direction below which a point is near a corner and has no across.
+/// Certainty of direction below which a point is near a corner and has no direction of its own.
 pub(crate) const NO_DIRECTION: f64 = 0.5;
 
-/// Draws the feet of creases together: they scatter with the noise, and a band of them is as wide.
+/// Aligns the feet of creases: they form a band that is as wide as the noise.
 pub(crate) fn align_creases(
     graph: &Neighbors,
     creases: &mut Penalties,
@@ -23,7 +23,7 @@ pub(crate) fn align_creases(
     align(graph, creases, |i| hops(i).max(2), blur);
 }
 
-/// Draws the feet of borders together: the row of points behind a border is ragged without any noise.
+/// Aligns the feet of borders: the outermost row of points is ragged even without noise.
 pub(crate) fn align_borders(graph: &Neighbors, borders: &mut Penalties, scales: Scales) {
     align(graph, borders, |_| 2, |i| 2.0 * scales.at(i).unit());
 }

@@ -1,8 +1,8 @@
 //! The robust border penalties.
 //!
-//! The open angle (Gumhold 2001, equation 8) counts only if it is wider than chance would leave it in as many directions.
-//! The direction of the border is at right angles to the middle of the opening, which holds at short borders where the
-//! ellipsoid (equation 7) shows none.
+//! The open angle (Gumhold 2001, equation 8) counts only if it is wider than the angle that chance leaves between as many
+//! directions. The border runs at right angles to the middle of the opening; this holds at short borders too, where the
+//! ellipsoid (equation 7) shows no direction.
 
 use super::open_angle::{chance_opening, open_angle};
 use crate::math::tensor::ellipsoid;
@@ -12,15 +12,15 @@ use crate::params::PenaltyParams;
 use crate::resolution::Resolution;
 use std::f64::consts::{PI, TAU};
 
-/// Least distance of the direct neighbours' centre from a point of a border, in their mean distance: half a disc has its
-/// centre at two thirds, a whole one at its own point, give or take chance. Most points lie below.
+/// Least distance between a border point and the centre of its direct neighbours, in units of their mean distance. The centre
+/// of half a disc lies at two thirds, that of a whole disc at the point itself, apart from chance. Most points are below it.
 const BORDER_LEAN: f64 = 0.3;
-/// Sine of half the fold from which on one face hides the other, and an opening is no border: 108 degrees.
+/// Sine of half the fold, 108 degrees, above which one face hides the other and an opening is not a border.
 pub(crate) const HIDING_FOLD: f64 = 0.809;
-/// Openings wider than this leave less than half of a plane: the border turns.
+/// Opening above which the border turns, as less than half of the plane is left.
 const TURNING_OPENING: f64 = 1.2 * PI;
 
-/// Whether the direct neighbours lie to one side: a cheap test that spares most points the open angle.
+/// Whether the direct neighbours lie to one side: a cheap test that saves computing the open angle of most points.
 pub fn may_be_border(points: &[[f64; 3]], i: usize, near: &[u32]) -> bool {
     let (sum, distances) = near.iter().fold(([0.0; 3], 0.0), |(sum, total), &j| {
         let d = sub(points[j as usize], points[i]);
@@ -55,10 +55,10 @@ pub fn border(
     })
 }
 
-/// How far the border lies outward of point `i`: a little beyond the outermost of the points beside it.
+/// Distance of the border outward of point `i`: a little beyond the outermost point of a strip across the border.
 ///
-/// In a strip two spacings wide with one point a square spacing, the outermost one lies .35 spacings within the border in
-/// the median; noise carries it outward by about as much of its standard deviation.
+/// In a strip two spacings wide with one point for each square spacing, the outermost point lies .35 spacings inside the border
+/// in the median; noise moves it outward by about .35 of its standard deviation.
 fn outermost(
     points: &[[f64; 3]],
     i: usize,

@@ -1,10 +1,10 @@
-//! The tangent plane at a point as the one that most of its neighbours lie in.
+//! The tangent plane at a point by consensus: the plane in which most of its neighbours lie.
 //!
-//! The correlation ellipsoid (Gumhold 2001, section 3.1) blends what meets in a neighbourhood: the two faces at a crease,
-//! the two sides of a thin sheet. Consensus chooses instead: of several candidate planes through the point the one with
-//! most weight of neighbours close to it, refined by weighted least squares. Candidates are the ellipsoid of the nearest
-//! few, that of all, and the planes that the neighbours chose. Where two of them are nearly even, as between the sides of a
-//! sheet, the next ring of neighbours decides.
+//! The correlation ellipsoid (Gumhold 2001, section 3.1) blends the surfaces that meet in a neighbourhood: the two faces at a
+//! crease, the two sides of a thin sheet. Consensus chooses between them: of several candidate planes through the point it takes
+//! the one to which the greatest weight of neighbours is close, and refines it by weighted least squares. Candidates are the
+//! ellipsoid of the nearest few, that of all, and the planes chosen at the neighbours. Where two of them have nearly the same
+//! weight, as between the sides of a sheet, the next ring of neighbours decides.
 
 use crate::math::eigen3::eigen3;
 use crate::math::tensor::{add_product, centred, ellipsoid};
@@ -14,26 +14,26 @@ use crate::resolution::Resolution;
 use crate::surface::Scales;
 use rayon::prelude::*;
 
-/// Neighbours of the small ellipsoid: with the point itself the fewest whose plane stands up to noise.
+/// Neighbours of the small ellipsoid: with the point itself, the fewest that give a plane in spite of noise.
 const NEAREST: usize = 6;
-/// Refinements by weighted least squares.
+/// Steps of weighted least squares.
 const REFINEMENTS: usize = 2;
 
-/// A plane with a smaller share of the neighbours may have won by chance over another that has nearly as much: a wider
+/// Share of the neighbours below which a plane may have won by chance over another of nearly the same weight, so that a wider
 /// neighbourhood decides.
 const CLEAR_MAJORITY: f64 = 0.7;
-/// Share of the best plane's weight from which on another plane is its rival.
+/// Share of the best plane's weight above which another plane is its rival.
 const RIVAL: f64 = 0.7;
-/// Least angle between planes of which one can be the other's rival.
+/// Least angle between rival planes.
 const OTHER_PLANE_DEG: f64 = 20.0;
 
 /// Weight of second-ring neighbours.
 const SECOND_RING_WEIGHT: f64 = 0.375;
 
-/// Exponent of the bell curve from which on a weight counts as zero.
+/// Exponent of the bell curve above which a weight counts as zero.
 pub(super) const NEGLIGIBLE: f64 = 8.0;
 
-/// A bell curve like `exp(-x)` near zero, without the cost of one: `(1 + x / 4)^-4`.
+/// A bell curve like `exp(-x)` near zero, without its cost: `(1 + x / 4)^-4`.
 #[inline]
 pub(super) fn bell(x: f64) -> f64 {
     let y = 1.0 / (1.0 + 0.25 * x);
@@ -92,25 +92,25 @@ pub fn consensus_normals(
         .collect()
 }
 
-/// A unit normal and the weight of the neighbours that lie in its plane.
+/// A unit normal and the weight of the neighbours in its plane.
 type Plane = ([f64; 3], f64);
 
 /// The weight of neighbours in the plane through point `i`.
 fn weight(points: &[[f64; 3]], i: usize, neighbors: &[u32], rate: f64, normal: [f64; 3]) -> f64 {
     let weigh = |&j: &u32| {
         let offset = dot(normal, sub(points[j as usize], points[i]));
-        // A Cauchy weight ranks like a Gaussian and costs a division.
+        // A Cauchy weight orders planes like a Gaussian at the cost of one division.
         1.0 / (1.0 + offset * offset * rate * 2.0)
     };
     neighbors.iter().map(weigh).sum()
 }
 
-/// The plane with most weight, the first among equals.
+/// The plane with the greatest weight, the first among equals.
 fn best(planes: impl Iterator<Item = Plane>) -> Plane {
     planes.fold(([0.0, 0.0, 1.0], -1.0), |best, plane| if plane.1 > best.1 { plane } else { best })
 }
 
-/// The best plane and the best that is another, if they may have won and lost by chance.
+/// The best plane and the best of the planes at an angle to it, if chance may have decided between them.
 fn rivals(planes: &[Plane], neighbors: usize) -> Option<[Plane; 2]> {
     let first = best(planes.iter().copied());
     if first.1 >= CLEAR_MAJORITY * neighbors as f64 {
@@ -121,7 +121,7 @@ fn rivals(planes: &[Plane], neighbors: usize) -> Option<[Plane; 2]> {
     (second.1 > RIVAL * first.1).then_some([first, second])
 }
 
-/// One step of weighted least squares from `normal`, the plane free to leave the point.
+/// One step of weighted least squares from `normal`; the plane need not pass through the point.
 fn refined(points: &[[f64; 3]], i: usize, neighbors: &[u32], rate: f64, normal: [f64; 3]) -> [f64; 3] {
     let (mut sum, mut products, mut total) = ([0.0; 3], [0.0; 6], 1.0);
     for &j in neighbors {

@@ -1,4 +1,4 @@
-//! A crease candidate: direction, foot, and what its cross-section shows.
+//! A crease candidate: its direction, its foot, and the evidence of its cross-section.
 
 use super::fold::CrossSection;
 use super::sharpness::sharpness;
@@ -7,14 +7,14 @@ use super::surroundings::{Surroundings, shift};
 use crate::math::vec3::{add, norm, scale};
 use crate::measure::{Evidence, Row};
 
-/// Evidence at which a single point is known to lie on a round, whatever the rest of its chain says.
+/// Evidence at which a single point lies on a round for certain, whatever the evidence along its line.
 const CLEARLY_SMOOTH: f32 = -4.0;
 
-/// The candidate at point `i` with a scalar `penalty`; `None` where its cross-section is clearly smooth. `wide` are the
-/// points that the cross-section may hold; `section` is scratch.
+/// The candidate at point `i` with a scalar `penalty`; `None` if its cross-section is clearly smooth. `wide` are the points
+/// from which the cross-section is taken; `section` is scratch.
 ///
-/// Its direction is the least axis of the tensor of the normals. At a corner the least eigenvalue is large too, no direction
-/// is preferred, and there is no one cross-section.
+/// Its direction is the least axis of the tensor of the normals. At a corner the least eigenvalue is large too, so that no
+/// direction is preferred and there is no single cross-section.
 pub(crate) fn crease(
     surroundings: &Surroundings,
     i: usize,

@@ -1,9 +1,9 @@
-//! Is a cross-section sharp or smooth? A wedge against its smooth competitors, by their residuals.
+//! Whether a cross-section is sharp or smooth: the residual of a wedge against those of smooth shapes.
 //!
-//! Curvature alone cannot tell a crease from a fillet: within a few spacings both turn. Over a cross-section they differ in
-//! shape, and the shape is what is compared: a hinge `|s - s0|` against a parabola, a circle and one-sided parabolas (a
-//! face that runs tangentially into a round), each with a free line under it, so with the same number of coefficients. This
-//! goes beyond Gumhold 2001, whose curvature penalty accepts both.
+//! Curvature alone cannot tell a crease from a fillet, as both turn within a few spacings. But the shapes of their
+//! cross-sections differ: a hinge `|s - s0|` is compared with a parabola, a circle and one-sided parabolas (a face that runs
+//! tangentially into a round). Each is fitted together with a straight line, so all have the same number of coefficients.
+//! This goes beyond Gumhold 2001, whose curvature penalty accepts both.
 
 /// Points of a cross-section: `s` across the line, `z` along the bisector of the faces, spacings.
 #[derive(Clone, Debug, Default)]
@@ -12,27 +12,27 @@ pub struct CrossSection {
     z: Vec<f64>,
 }
 
-/// What a cross-section shows.
+/// The comparison of a wedge with smooth shapes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fold {
-    /// Residual of the best smooth shape less that of the best wedge, in variances of the noise: above zero speaks for a
+    /// Residual of the best smooth shape less that of the best wedge, in variances of the noise: positive values indicate a
     /// crease.
     pub evidence: f64,
-    /// The evidence that this wedge would give without noise.
+    /// The evidence expected of this wedge without noise.
     pub expected: f64,
     /// Angle between the sides of the best wedge, radians, signed by its sense.
     pub angle: f64,
 }
 
-/// Where the wedge may have its edge, spacings from the foot.
+/// Positions tried for the edge of the wedge, spacings from the foot.
 const HINGES: [f64; 7] = [-0.9, -0.6, -0.3, 0.0, 0.3, 0.6, 0.9];
-/// Where a one-sided round may begin.
+/// Positions tried for the beginning of a one-sided round, spacings from the foot.
 const ROUNDS: [f64; 4] = [-1.5, -0.5, 0.5, 1.5];
-/// Fewest points that can tell five shapes apart.
+/// Fewest points by which the shapes can be told apart.
 const FEWEST_POINTS: usize = 8;
 
 impl CrossSection {
-    /// Forgets all points.
+    /// Removes all points.
     pub fn clear(&mut self) {
         self.s.clear();
         self.z.clear();
@@ -44,7 +44,7 @@ impl CrossSection {
         self.z.push(z);
     }
 
-    /// Compares wedge and smooth shapes; `variance` is that of the noise along `z`. `None` for too few points.
+    /// Compares wedge and smooth shapes; `variance` is the variance of the noise along `z`. `None` for too few points.
     pub fn fold(&self, variance: f64) -> Option<Fold> {
         if self.s.len() < FEWEST_POINTS {
             return None;
@@ -71,7 +71,7 @@ impl CrossSection {
         let mut best = parabola.squares;
         let mut curvature = 2.0 * parabola.coefficient;
         for _ in 0..2 {
-            // A circle of the curvature found so far; beyond its reach it goes on straight at 70 degrees.
+            // A circle of the curvature found so far, which goes on straight at 70 degrees.
             let round = self.residual(line, |s| circle(s, curvature));
             best = best.min(round.squares);
             curvature *= round.coefficient.clamp(0.5, 2.0);
@@ -83,8 +83,8 @@ impl CrossSection {
         best
     }
 
-    /// Least squares of `z` by `1, s, g(s)`: by regression of `g` on the line, then of what is left of `z` on what is left
-    /// of `g`.
+    /// Least squares of `z` by `1, s, g(s)`: both `z` and `g` are regressed on the line, then the residual of `z` on that of
+    /// `g`.
     fn residual(&self, line: &Line, g: impl Fn(f64) -> f64) -> Shape {
         let n = self.s.len() as f64;
         let (mut sum, mut with_s, mut square, mut with_z) = (0.0, 0.0, 0.0, 0.0);
@@ -145,7 +145,7 @@ impl Line {
     }
 }
 
-/// A shape's residual, its coefficient and its slope against the line.
+/// A fitted shape: its residual, its coefficient and its slope relative to the line.
 struct Shape {
     squares: f64,
     coefficient: f64,

@@ -1,8 +1,8 @@
 //! Unit normals that stay on their side of a crease.
 //!
 //! The correlation ellipsoid's normal (Gumhold 2001, section 3.1) blends the faces at a crease. A few bilateral passes
-//! separate them: each normal becomes the mean of the neighbouring ones that agree with it in angle and whose points lie
-//! in its plane. This departs from the paper, whose penalties have no need of normals; the robust form has.
+//! separate them: each normal becomes the mean of the neighbouring normals that agree with it in angle and whose points lie
+//! in its plane. This departs from the paper, whose penalties do not need normals.
 
 use super::consensus::{NEGLIGIBLE, bell, consensus_normals, tolerance};
 use crate::math::vec3::{add_scaled, dot, sub, unit};
@@ -10,17 +10,17 @@ use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::surface::Scales;
 use rayon::prelude::*;
 
-/// Passes of bilateral averaging: one moves most normals to a side, the second settles those it left between.
+/// Passes of bilateral averaging: the first moves most normals to one side, the second those left in between.
 const PASSES: usize = 2;
-/// Normals at this angle count `exp(-1)` as much as parallel ones.
+/// Angle at which a normal has `exp(-1)` times the weight of a parallel one.
 const GATE_DEG: f64 = 20.0;
 
-/// `(N)` normals with the weight of the neighbours that agree, local frame.
+/// `(N)` normals with their support, local frame.
 #[derive(Clone, Debug, Default)]
 pub struct Normals {
     /// `(N, 3)` unit vectors without orientation.
     pub vectors: Vec<[f32; 3]>,
-    /// `(N)` share of the neighbourhood that agreed in the last pass, 0 to 1.
+    /// `(N)` share of the neighbourhood that agreed with the normal in the last pass, 0 to 1.
     pub support: Vec<f32>,
 }
 
@@ -40,7 +40,7 @@ pub fn normals<'a>(
     normals
 }
 
-/// The nearer part of a neighbourhood of graph distance `hops`: one less, but the direct neighbours at least.
+/// The nearer part of a neighbourhood of graph distance `hops`: one edge less, but at least the direct neighbours.
 pub(crate) fn inner<'a>(graph: &'a Neighbors, i: usize, hops: usize, scratch: &'a mut Scratch) -> &'a [u32] {
     if hops <= 2 { graph.of(i) } else { graph.hops(i, hops - 1, scratch) }
 }

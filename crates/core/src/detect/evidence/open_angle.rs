@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 /// The paper's `beta`: the largest angle around `points[own]`, seen along `normal`, in which no neighbour lies; radians in `[0, 2 pi]`.
 ///
-/// `angles` is scratch. Neighbours that fall on the point itself along the normal have no angle and are left out.
+/// `angles` is scratch. Neighbours straight above or below the point have no angle and are left out.
 pub fn open_angle(
     points: &[[f64; 3]],
     own: usize,
@@ -37,16 +37,16 @@ pub fn open_angle(
     Opening { angle: widest.0, middle: std::array::from_fn(|c| cos * x[c] + sin * y[c]) }
 }
 
-/// The largest open angle and where it looks.
+/// The largest open angle and its direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Opening {
-    /// Radians in `[0, 2 pi]`.
+    /// The angle, radians in `[0, 2 pi]`.
     pub angle: f64,
-    /// Unit vector in the tangent plane through the middle of the opening: out of the surface at a border.
+    /// Unit vector in the tangent plane through the middle of the opening; at a border it points out of the surface.
     pub middle: [f64; 3],
 }
 
-/// The open angle that `count` directions drawn at random leave with a probability of `chance`, radians.
+/// The open angle that `count` random directions exceed with a probability of at most `chance`, radians.
 ///
 /// From the bound `P(largest gap > x) <= n (1 - x / 2 pi)^(n - 1)`.
 pub fn chance_opening(count: usize, chance: f64) -> f64 {

@@ -1,18 +1,18 @@
-//! Two sides out of several: faces narrower than a neighbourhood (robust form).
+//! Two sides out of several, for faces narrower than a neighbourhood (robust form).
 //!
-//! A chamfer or the rim of a plate puts three faces and two creases into one neighbourhood. The point nearest to all three
-//! tangent planes lies on neither crease. Where that point is far from the planes, a point looks at its own face and at the
-//! nearest other one alone.
+//! At a chamfer or at the rim of a plate, one neighbourhood holds three faces and two creases, and the place nearest to all
+//! three tangent planes lies on neither crease. Where that place is far from the planes, only the point's own face and the
+//! nearest other one are taken.
 
 use super::surroundings::Surroundings;
 use crate::math::vec3::{distance2, dot, sub};
 
-/// Root mean square distance of the tangent planes from their common point up to which they are one crease, spacings; twice
-/// the noise more.
+/// Greatest root mean square distance of the tangent planes of one crease from their common place, spacings; plus twice the
+/// noise.
 const ONE_CREASE: f64 = 0.2;
-/// Normals of one side differ by less.
+/// Greatest angle between the normals of one side.
 const SAME_DEG: f64 = 20.0;
-/// Points of one side lie this near to its plane, spacings, and twice the noise more.
+/// Greatest distance of the points of one side from its plane, spacings; plus twice the noise.
 const SAME_PLANE: f64 = 0.35;
 
 /// A point's own side and the nearest other one.
@@ -36,7 +36,7 @@ impl Pair {
     }
 }
 
-/// The two sides at point `i`, if the tangent planes of `near` have no place in common near `foot`.
+/// The two sides at point `i`; `None` if the tangent planes of `near` all pass near `foot`.
 pub(crate) fn pair(surroundings: &Surroundings, i: usize, near: &[u32], foot: [f64; 3]) -> Option<Pair> {
     let (h, noise) = (surroundings.scales.at(i).unit(), surroundings.scales.at(i).noise);
     let normal = |j: usize| surroundings.normal(j);

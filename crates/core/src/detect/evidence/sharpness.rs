@@ -1,21 +1,21 @@
-//! The cross-section of a crease candidate, and whether it is sharp.
+//! The cross-section of a crease candidate and its sharpness.
 
 use super::fold::{CrossSection, Fold};
 use crate::math::eigen3::Eigen3;
 use crate::math::vec3::{add, add_scaled, cross, dot, sub, unit};
 use crate::resolution::Resolution;
 
-/// How far real faces leave the shapes of a cross-section within a neighbourhood, spacings.
+/// Deviation of real faces from the shapes of a cross-section within a neighbourhood, spacings.
 const MODEL_ERROR: f64 = 0.04;
-/// Half the length of line that the cross-section is taken over, spacings: longer, and a curved line would blur it.
+/// Half the length of line over which the cross-section is taken, spacings: over more, a curved line would blur it.
 const ALONG: f64 = 2.0;
 /// Half the width of the cross-section, spacings.
 const ACROSS: f64 = 3.0;
-/// Ratio of the normal tensor's greater values up to which its axes tell bisector from crossing direction: a fold of 57
-/// degrees.
+/// Ratio of the normal tensor's two greater eigenvalues up to which its axes tell bisector from crossing direction: a fold of
+/// 57 degrees.
 const DISTINCT: f64 = 0.3;
 
-/// Whether the cross-section through `foot`, at right angles to the least axis of the normal tensor, is sharp. `near` are
+/// The sharpness of the cross-section through `foot` at right angles to the least axis of the normal tensor. `near` are its
 /// points; `section` is scratch. `None` for too few points.
 pub fn sharpness(
     near: impl Iterator<Item = [f64; 3]> + Clone,
@@ -41,7 +41,7 @@ pub fn sharpness(
 
 /// Bisector and crossing direction of the fold.
 ///
-/// Near a right angle the tensor's two great axes are anything: the bisector is then where the neighbours lie.
+/// Near a right angle the tensor's two great axes are arbitrary; the bisector is then found by the positions of the neighbours.
 fn frame(near: impl Iterator<Item = [f64; 3]>, tensor: &Eigen3, foot: [f64; 3]) -> ([f64; 3], [f64; 3]) {
     let [along, middle, most] = tensor.vectors;
     if tensor.values[1] < DISTINCT * tensor.values[2] {

@@ -1,25 +1,25 @@
-//! The surface around a point as the correlation tensor of its normals: all of them, or those of two sides alone.
+//! The correlation tensor of the normals around a point: of all of them, or of two sides alone.
 
 use super::pair::{Pair, pair};
 use super::surroundings::{Surroundings, shift};
 use crate::math::eigen3::Eigen3;
 use crate::math::vec3::add;
 
-/// Share of the fold of a crease, both as sines of the half angle, below which no line is looked for.
+/// Share of a crease's least fold, both as sines of the half angle, below which a point is not a candidate.
 pub(crate) const FOLDED: f64 = 0.5;
 
 /// The surface around a point.
 pub(crate) struct Sides {
     /// Correlation tensor of the normals: two faces that fold by `phi` give it a middle eigenvalue of `sin^2(phi / 2)`.
     pub(crate) tensor: Eigen3,
-    /// What pulls the point on to their planes.
+    /// The pull of their tangent planes on the point: `sum w n (n . (q - p))` over the sum of weights.
     pub(crate) pull: [f64; 3],
-    /// The two sides that were looked at where there are more.
+    /// The two sides that were taken, where there are more.
     pub(crate) pair: Option<Pair>,
 }
 
 impl Sides {
-    /// The tensor of all neighbours, or where these have more than two sides that of two of them.
+    /// The tensor of all neighbours, or of two sides where the neighbours have more.
     pub(crate) fn around(surroundings: &Surroundings, i: usize, near: &[u32]) -> Sides {
         let (tensor, pull) = surroundings.normal_tensor(i, near);
         let [least, middle, _] = tensor.values.map(|x| x.max(0.0));

@@ -9,15 +9,15 @@ use crate::neighbors::Neighbors;
 use crate::params::Auto;
 use crate::surface::Scales;
 
-/// What evidence at any point is taken from: canonical order, local frame.
+/// The data from which the evidence at a point is computed: canonical order, local frame.
 pub(crate) struct Surroundings<'a> {
     pub(crate) points: &'a [[f64; 3]],
     pub(crate) graph: &'a Neighbors,
     pub(crate) normals: Normals,
     pub(crate) scales: Scales<'a>,
-    /// Graph distance of the neighbourhoods, where it is not left to the noise at each point.
+    /// Graph distance of the neighbourhoods, if given; otherwise it follows from the noise at each point.
     hops: Auto<usize>,
-    /// Sine of half the fold at which a crease becomes one.
+    /// Sine of half the least fold of a crease.
     pub(crate) least_fold: f64,
 }
 
@@ -61,8 +61,8 @@ impl<'a> Surroundings<'a> {
     }
 }
 
-/// From a point to the place nearest to all tangent planes, along the axes of the tensor from `first` on: the quadric error
-/// of Gumhold 2001, section 4.2.
+/// The vector from a point to the place nearest to all tangent planes, along the axes of the tensor from `first` on: the
+/// quadric error of Gumhold 2001, section 4.2.
 pub(super) fn shift(tensor: &Eigen3, pull: [f64; 3], first: usize) -> [f64; 3] {
     (first..3).fold([0.0; 3], |shift, k| {
         let along = dot(tensor.vectors[k], pull) / tensor.values[k].max(1e-12);

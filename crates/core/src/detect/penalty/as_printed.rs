@@ -1,6 +1,7 @@
 //! The penalty functions as printed (Gumhold 2001, section 3.1, equations 1 to 9).
 //!
-//! Fragile by design: the curvature penalty `omega_kappa` is relative to the greatest curvature of all points, so that one
+//! Each penalty function omega (ω) estimates how improbable it is that a point is close to a feature. Two weaknesses are in the
+//! equations themselves: the curvature penalty `omega_kappa` is relative to the greatest curvature of all points, so that one
 //! outlier makes every crease improbable; and the vector penalties `omega_cr` and `omega_b1` are least for edges *across* the
 //! long axis of the correlation ellipsoid.
 
@@ -14,7 +15,7 @@ use crate::params::PenaltyParams;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// What is computed for a point before the greatest curvature is known.
+/// The values at a point that do not depend on the greatest curvature.
 struct Point {
     /// `kappa`.
     curvature: f64,
@@ -92,7 +93,7 @@ fn at_every_point<R: Send>(
 fn point(points: &[[f64; 3]], graph: &Neighbors, i: usize, near: &[u32], angles: &mut Vec<f64>) -> Point {
     let around = ellipsoid(points, i, near); // equations 2 and 3
     let Ellipsoid { centre, axes, .. } = around;
-    let mu = mean_distance(points, i, graph.of(i));
+    let mu = mean_distance(points, i, graph.of(i)); // equation 1
     let [l0, l1, l2] = axes.values.map(|x| x.max(0.0));
     let [normal, _, long] = axes.vectors;
     let inverse = if l2 > 0.0 { 1.0 / l2 } else { 0.0 };

@@ -1,18 +1,18 @@
 //! The robust form of the penalties: Gumhold 2001, section 3.1, made safe against noise, outliers and blunt folds.
 //!
-//! Where it departs, and why:
+//! Departures from the paper, and their reasons:
 //! * **Curvature.** The paper's `kappa / kappa_max` depends on the one sharpest point of the cloud. Here the fold is read
 //!   from the correlation tensor of the neighbours' *normals*, `M = sum w n n^t`: two faces that fold by `phi` give it a
-//!   middle eigenvalue of `sin^2(phi / 2)`, noise and thin sheets give it none. The penalty is one half where the fold is
-//!   `fold_deg` and zero at twice that sine: no quantity of the whole cloud is in it.
-//! * **Direction.** The least eigenvector of `M` is the crease's direction, also where the fold is too blunt to stretch the
-//!   ellipsoid of the points. An edge is penalised by how far it leaves that direction.
+//!   middle eigenvalue of `sin^2(phi / 2)`, while noise and thin sheets leave it near zero. The penalty is one half where the
+//!   fold is `fold_deg` and zero at twice that sine, and depends on no quantity of the whole cloud.
+//! * **Direction.** The least eigenvector of `M` is the crease's direction, even where the fold is too blunt to stretch the
+//!   ellipsoid of the points. An edge is penalised by its deviation from that direction.
 //! * **Corner.** At a corner the least eigenvalue of `M` is large too, and no direction is preferred.
-//! * **Foot.** The point nearest to all tangent planes of the neighbourhood (the quadric error of the paper's section 4.2,
-//!   along the well-determined eigenvectors of `M` only) says where on the crease or corner the point belongs.
-//! * **Narrow faces.** Where a neighbourhood holds more than two faces, two of them are looked at alone (`evidence/pair.rs`).
-//! * **Border.** The open angle counts only if it is wider than chance would leave it in as many directions, and not at an
-//!   acute crease, where one face hides the other.
+//! * **Foot.** The place of a point on its crease or corner is the place nearest to all tangent planes of the neighbourhood
+//!   (the quadric error of the paper's section 4.2, along the well-determined eigenvectors of `M` only).
+//! * **Narrow faces.** Where a neighbourhood holds more than two faces, only two of them are taken (`evidence/pair.rs`).
+//! * **Border.** The open angle counts only if it is wider than the angle that chance leaves between as many directions, and not
+//!   at an acute crease, where one face hides the other.
 
 use super::{Derived, densities};
 use crate::detect::evidence::align::{align_borders, align_creases};
@@ -32,7 +32,7 @@ use rayon::prelude::*;
 /// Points that a thread takes at a time.
 const BLOCK: usize = 1024;
 
-/// What a block of points yields: a score each, and the candidates among them.
+/// The result for a block of points: a score for each, and the candidates among them.
 #[derive(Default)]
 struct Block {
     score: Vec<f32>,
@@ -40,7 +40,7 @@ struct Block {
     border: Vec<(u32, Row)>,
 }
 
-/// Buffers that serve one point after the other.
+/// Buffers that are used again for each point.
 #[derive(Default)]
 struct Buffers {
     scratch: Scratch,
@@ -75,7 +75,7 @@ pub fn penalties(
     measure
 }
 
-/// The border penalties of the same form alone.
+/// The border penalties alone.
 pub fn borders(points: &[[f64; 3]], graph: &Neighbors, scales: Scales, params: &PenaltyParams) -> Penalties {
     let normals = normals(points, graph, |i| hops(params.hops, scales.at(i)), scales);
     let surroundings = Surroundings::new(points, graph, normals, scales, params.hops, params.fold_deg);

@@ -1,16 +1,15 @@
-//! From marked points to candidates of the minimum spanning graph.
+//! From marked points to candidates for the minimum spanning graph. Not in Tran 2013, which ends with marked points; the marks
+//! are not changed here.
 //!
-//! Not in Tran 2013, which ends with points; which of them are *marked* is the paper's affair and not touched here. Candidates
-//! are all points that come within a share of the threshold, so that a line is not cut where the sampling keeps off the edge,
-//! noise hides it or it is blunt: what is no crease fails the test below. A candidate's scalar penalty is one half at the
-//! threshold and falls with its score. Direction, foot and angle come from the tensor of the normals around it, by the code of
-//! the robust penalties, with two differences: a neighbour counts the less the sharper it is itself, as its plane is that of no
-//! face; and of a band that is left beside the feet only the ridge of the score is kept. From there comes also the evidence
-//! that tells a fold from a round, without which a linker would make lines of all the points that a threshold marks on a
-//! sphere.
+//! Candidates are all points above a share of the threshold, so that a line is not cut where the sampling keeps off the edge,
+//! noise hides it or it is blunt; points that are not on a crease fail the tests below. A candidate's scalar penalty is one half
+//! at the threshold and falls as its score rises. Its direction and foot come from the tensor of the normals around it, as in
+//! the robust penalties, with two differences: a sharp neighbour has little weight, as its plane is not that of a face; and of
+//! a band of candidates only the ridge of the score is kept. The evidence that tells a fold from a round is taken in the same
+//! way; without it a linker would make lines of all the points that a threshold marks on a sphere.
 //!
-//! A border stands in its own plane and has no projected distance: Tran's method marks none. Border lines are those of the
-//! robust penalties; they have no part in the marks.
+//! A border lies in the plane of its face and has no projected distance, so Tran's method does not mark it. Border lines are
+//! those of the robust penalties; they do not count for the marks.
 
 use super::{Projection, marks::Marks, project};
 use crate::detect::evidence::align::{NO_DIRECTION, align_borders, align_creases};
@@ -30,12 +29,13 @@ use rayon::prelude::*;
 
 /// Share of the threshold that makes a point a candidate.
 const CANDIDATE_SHARE: f64 = 0.25;
-/// Feet are one line up to the lesser and two lines from the greater distance across it, spacings.
+/// Distances across the line, spacings: up to the lesser, feet belong to the same line in any case, and from the greater on to
+/// two lines.
 const BAND: (f64, f64) = (0.3, 1.5);
-/// A foot lies across the line rather than along it when its offset is within 45 degrees of across.
+/// Share of an offset at right angles to the line above which a foot lies beside the line rather than along it: 45 degrees.
 const ACROSS: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// The method's measure: marks as classes, and as candidates the ridges of the marked bands. `points` in canonical order,
+/// The method's measure: classes from the marks, and candidates along the ridges of the score. `points` in canonical order,
 /// local frame; `graph` is the Riemannian graph.
 pub fn measure(points: &[[f64; 3]], graph: &Neighbors, resolution: Resolution, params: &Params) -> Measure {
     let Projection { marks, normal, .. } = project(points, resolution, &params.projection);
@@ -94,8 +94,9 @@ fn rows(surroundings: &Surroundings, marks: &Marks, params: &PenaltyParams) -> V
     every.map_init(Default::default, row).collect::<Vec<Option<Candidate>>>().into_iter().flatten().collect()
 }
 
-/// Whether no neighbour's foot across the line scores higher, or as high with a lesser index, and looks as sharp: on a sheet
-/// about as thin as the spacing the greatest scores are not at the rims.
+/// Whether the point is on the ridge of the score: no neighbour with a foot beside it, across the line, has a higher score (or
+/// the same score and a lesser index) and is at least as sharp. Sharpness counts because on a sheet about as thin as the
+/// spacing the greatest scores are not at the rims.
 fn is_ridge(
     graph: &Neighbors,
     resolution: Resolution,

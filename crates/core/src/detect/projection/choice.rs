@@ -1,48 +1,51 @@
 //! Optimal neighborhood size of a point (Tran 2013, section 2.3, figure 4).
 //!
-//! The paper divides the projected distance of each scale by that of the one before, the rate of change, and takes the scale before the first
-//! ratio above epsilon; without such a jump any would do, and it takes 16. Three things are said more closely here.
-//! * On an exact plane both distances are rounding, 1e-19, and their ratio means nothing; on a scanned one both are noise. So
-//!   distances count as no less than a floor.
-//! * A jump from 8 to 12 is none. Eight points are the first ring: an edge that comes into sight right behind it is one
-//!   spacing off, and whether the eight just keep off it is chance, in a grid even a matter of ties. The paper's own example
-//!   jumps from 12 to 16.
-//! * Without a jump, noise makes the choice: the more of it, the larger the scale, as an edge stands out with the radius and
-//!   the noise does not. Up to the 2 % of the spacing that the paper looks at it is the paper's 16.
+//! The paper divides the projected distance at each scale by that at the scale before, the "rate of change", and takes the scale
+//! before the first ratio above epsilon. Without such a peak any scale would do, and the paper takes 16. Three points are more
+//! exact here.
+//! * On an exact plane both distances are rounding, 1e-19, and their ratio means nothing; on a scanned plane both are noise. So
+//!   lesser distances are raised to a floor.
+//! * A rise from 8 to 12 does not count. Eight points are the first ring: an edge right behind it is one spacing away, and
+//!   whether the eight points just avoid it depends on chance, in a grid even on ties. In the paper's own example the peak is
+//!   from 12 to 16.
+//! * Without a peak, the noise decides: the more noise, the larger the scale, as an edge grows clearer with the radius. Up to a
+//!   noise of 2 % of the spacing, the greatest in the paper, it is the paper's 16.
 
 use super::scales::{AtScale, SCALES};
 use crate::params::ProjectionParams;
 use crate::resolution::Resolution;
 
-/// Index of the scale 16, taken where neither a jump nor noise is seen.
+/// Index of the scale 16, which is taken without a peak and without noise.
 const STANDARD: usize = 2;
-/// Index of the least scale that a jump can choose.
+/// Index of the least scale at which a peak counts.
 const FIRST_CHOICE: usize = 1;
-/// Noise, in spacings, that takes one scale more.
+/// Noise that raises the choice by one scale, spacings.
 const NOISE_STEP: f64 = 0.05;
-/// Share of the spacing below which a projected distance is as good as none.
+/// Floor of the projected distance without noise, spacings.
 const FLOOR_SPACINGS: f64 = 0.01;
-/// Standard deviations of the noise below which it is noise: the point's own is all in the distance.
+/// Standard deviations of the noise that are added to the floor: the noise of the point itself enters the distance fully.
 const FLOOR_NOISE: f64 = 2.0;
-/// Spacings above which the floor does not rise, whatever the noise: edges have no more than this or little more.
+/// Greatest floor, whatever the noise, spacings: the projected distance of edges is not much greater.
 const FLOOR_LIMIT: f64 = 0.5;
 
-/// The floor as given, or what suits spacing and noise; local frame.
+/// The floor as given, or derived from spacing and noise; local frame.
 pub fn floor(resolution: Resolution, params: &ProjectionParams) -> f64 {
     let noise = resolution.noise / resolution.spacing;
     let derived = (FLOOR_SPACINGS + FLOOR_NOISE * noise).min(FLOOR_LIMIT);
     params.floor_spacings.or(|| derived) * resolution.spacing
 }
 
-/// Index into [`SCALES`] of the scale that is taken where there is no jump.
+/// Index into [`SCALES`] of the scale that is taken without a peak.
 pub fn standard(resolution: Resolution) -> usize {
     let steps = (resolution.noise / resolution.spacing / NOISE_STEP).round() as usize;
     (STANDARD + steps.min(SCALES.len())).min(SCALES.len() - 1)
 }
 
-/// Index into [`SCALES`] of the best scale: the one before the first rise by more than a factor of `jump`, else `standard`.
+/// Index into [`SCALES`] of the best scale (figure 4): the one before the first rate of change above `jump`, the paper's
+/// epsilon; `standard` without such a peak.
 pub fn best_scale(scales: &[AtScale; 7], floor: f64, jump: f64, standard: usize) -> usize {
     let at_least = |k: usize| scales[k].distance.max(floor);
+    // The rate of change is the ratio of the two, multiplied out as a floor of zero allows zero distances.
     let peak = (FIRST_CHOICE..SCALES.len() - 1).find(|&k| at_least(k + 1) > jump * at_least(k));
     peak.unwrap_or(standard)
 }

@@ -1,40 +1,40 @@
-//! A measure's points above its own threshold.
+//! Marks: the points whose measure is above an automatic threshold (Tran 2013, section 2.4).
 
 use crate::math::otsu::{Otsu, otsu, otsu3};
 use crate::measure::Class;
 use crate::params::ProjectionParams;
 
-/// Share of the points that a third class may bring the marks to: lines on a surface are not most of it.
+/// Share of the points that marks of two classes must stay below: most of a surface is not on lines.
 const MINORITY: f64 = 0.5;
 
-/// Values that mean nothing, in the unit of the measure.
+/// Values below which a measure is not significant, in its unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Floor {
-    /// Up to here values are rounding or noise.
+    /// Values up to this are rounding or noise.
     pub mark: f64,
-    /// Up to here they do not make a point one beside an edge.
+    /// Points with values up to this are not beside an edge.
     pub beside: f64,
 }
 
 /// A score for every point and the threshold above which a point is marked.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Marks {
-    /// `(N)` the measure over its greatest value, 0 to 1.
+    /// `(N)` the measure relative to its greatest value, 0 to 1.
     pub score: Vec<f32>,
-    /// What the measure was divided by: its greatest value, in its own unit.
+    /// The greatest value of the measure, in its own unit.
     pub greatest: f64,
-    /// Scores above it are marked; infinite when the scores have no two classes.
+    /// Points with scores above it are marked; infinite if the scores do not form two classes.
     pub threshold: f64,
-    /// How well one cut parts the scores into two classes, 0 to 1 (Otsu's eta).
+    /// Separability of the scores into two classes by one cut, 0 to 1 (Otsu's eta).
     pub separability: f64,
 }
 
 impl Marks {
     /// Normalises `values`, none of them negative, and cuts their histogram by Otsu's method (Tran 2013, section 2.4).
     ///
-    /// Values that `floor` names are never marked. Where `params` ask for three classes, on an edge, beside it and smooth,
-    /// the two upper ones are marked, unless the cut between the lower two lies within the noise or leaves no minority above
-    /// it: then, and when asked for two, the cut is the paper's.
+    /// Values up to `floor` are never marked. If `params` ask for three classes (on an edge, beside it, smooth), the upper two
+    /// are marked, unless the cut between the lower two is within the noise or marks half of the points or more. In that case,
+    /// and for two classes, the cut is the paper's.
     pub fn new(mut values: Vec<f32>, floor: Floor, params: &ProjectionParams) -> Marks {
         let greatest = values.iter().fold(0.0f32, |a, &b| a.max(b));
         if greatest > 0.0 {

@@ -1,7 +1,8 @@
-//! Projected distance and normal of every point at several scales, the seven of the paper, from one neighbour search (Tran 2013, sections 2.1, 2.2).
+//! Projected distance and normal of every point at several scales, the seven of the paper (Tran 2013, sections 2.1, 2.2).
 //!
-//! A scale `k` is the point and its `k` nearest neighbours. The lists come sorted by distance, so that a scale's sums are
-//! those of the scale before and of four more points: all seven cost what the greatest costs, and no list is stored.
+//! At the scale `k` (the paper's sigma) the neighbourhood is the point and its `k` nearest neighbours. The lists are sorted by
+//! distance, so that the sums of a scale are those of the scale before and of four more points: all seven scales cost one
+//! search, and no list is stored.
 
 use crate::math::least_axis::least_axis;
 use crate::math::tensor::{add_product, centred};
@@ -20,14 +21,14 @@ pub struct AtScale {
     pub radius: f64,
     /// Surface variation: the least eigenvalue over the sum of all (Pauly 2003, section 2), 0 to 1/3.
     pub variation: f64,
-    /// The normal of Hoppe 1992: axis of least variance, without orientation.
+    /// The normal of Hoppe 1992: the axis of least variance, without orientation.
     pub normal: [f64; 3],
 }
 
 /// Calls `visit(i, nearest, scales)` for every point, in parallel; the results are in the order of the points.
 ///
-/// `nearest` are the up to 32 nearest neighbours by distance. In a cloud of fewer points the greater scales see all there
-/// are. `points` are `(N, 3)`, `N` at least 2; of fewer nothing is visited.
+/// `nearest` are the up to 32 nearest neighbours by distance. In a cloud of fewer points the greater scales take all points.
+/// `points` are `(N, 3)`; with fewer than two nothing is visited.
 pub fn at_every_scale<R: Send>(
     points: &[[f64; 3]],
     visit: impl Fn(usize, &[u32], &[AtScale; 7]) -> R + Sync,

@@ -1,16 +1,16 @@
-//! Small clusters given to the large ones beside them (robust form; not in Demarsin et al. 2007).
+//! Absorbs small clusters into the large ones beside them (robust form; not in Demarsin et al. 2007).
 
 use super::segmentation::Segmentation;
 use crate::math::vec3::{dot, sub};
 use crate::neighbors::Neighbors;
 use rayon::prelude::*;
 
-/// Rounds of taking in neighbours: the depth, in edges, of what lies between two faces.
+/// Rounds of absorbing neighbours: the depth, in edges, of the band between two faces.
 const ROUNDS: usize = 6;
 
-/// Gives each point of a small cluster to the large cluster in whose tangent planes it lies best, from outside inwards.
+/// Gives each point of a small cluster to the large cluster whose tangent plane is nearest, from the outside inwards.
 ///
-/// What is not reached in a few rounds stays a small cluster: a region of its own that is curved too sharply to be a face.
+/// Points that are not reached in a few rounds stay a small cluster: a region that is curved too sharply to be a face.
 pub fn absorb(
     mut segments: Segmentation,
     points: &[[f64; 3]],
@@ -36,7 +36,7 @@ pub fn absorb(
     segments
 }
 
-/// The large cluster of the neighbour whose plane the point is nearest to; the first among equals.
+/// The large cluster of the neighbour whose tangent plane is nearest to the point; the first among equals.
 fn best(
     segments: &Segmentation,
     points: &[[f64; 3]],

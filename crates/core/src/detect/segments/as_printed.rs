@@ -1,5 +1,4 @@
-//! The first-order segmentation as printed (Demarsin et al. 2007, section 2.2): one-rings, their normals, region growing;
-//! each step with its time.
+//! The first-order segmentation as printed (Demarsin et al. 2007, section 2.2): one-rings, their normals, region growing.
 
 use super::segmentation::Segmentation;
 use super::segmented::{Segmented, angle};
@@ -9,10 +8,10 @@ use crate::params::SegmentParams;
 use crate::resolution::Resolution;
 use std::time::Instant;
 
-/// Small clusters wider than this, spacings, are taken apart.
+/// Width above which small clusters are taken apart, spacings.
 const WIDE_CLUSTER: f64 = 2.5;
 
-/// One-rings and the segmentation by their normals, which come with it.
+/// The segmentation with its one-rings, and their normals.
 pub(crate) fn as_printed(
     points: &[[f64; 3]],
     resolution: Resolution,

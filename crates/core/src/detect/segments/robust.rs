@@ -1,4 +1,4 @@
-//! The segmentation by normals that keep to their side of a crease (ours).
+//! The robust segmentation, by normals that keep to their side of a crease (ours).
 
 use super::absorb::absorb;
 use super::segmentation::Segmentation;
@@ -9,7 +9,7 @@ use crate::params::SegmentParams;
 use crate::resolution::Resolution;
 use std::time::Instant;
 
-/// The segmentation of a cloud with this measure.
+/// The segmentation of a cloud by the normals and scores of `measure`.
 pub(crate) fn robust(
     points: &[[f64; 3]],
     graph: &Neighbors,
@@ -18,7 +18,7 @@ pub(crate) fn robust(
     measure: &Measure,
 ) -> Segmented {
     let start = Instant::now();
-    // Single linkage would need only one point with a normal in between to run from face to face.
+    // Points on folds are left out: a single one with a normal in between would join two faces.
     let sharp = |i: usize| measure.score[i] > params.fold_score as f32;
     let radians = angle(params, resolution).to_radians();
     let segments = Segmentation::grow(graph, &measure.normal, radians, params.face_points as u32, sharp);

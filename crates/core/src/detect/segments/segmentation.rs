@@ -16,10 +16,10 @@ pub struct Segmentation {
 }
 
 impl Segmentation {
-    /// Grows clusters over `rings` while normals differ by no more than `angle` radians. Large are clusters of more
-    /// points than the mean (section 2.3), and of `least` at the least.
+    /// Grows clusters over `rings` while normals differ by no more than `angle` radians. Large clusters are those of more
+    /// points than the mean (section 2.3) and of at least `least` points.
     ///
-    /// Points that `sharp` names join nothing: each stays a small cluster.
+    /// Points for which `sharp` holds are not joined: each is a small cluster of its own.
     pub fn grow(
         rings: &Neighbors,
         normals: &[[f32; 3]],
@@ -41,10 +41,10 @@ impl Segmentation {
         Self::numbered(&roots, least)
     }
 
-    /// Takes small clusters apart whose points lie farther than `reach` from the first of them: each point its own cluster.
+    /// Takes small clusters with points farther than `reach` from their first point apart: each point becomes its own cluster.
     ///
-    /// Of perfectly aligned points all normals along a straight edge are the same, so that the whole edge is one cluster, which
-    /// its centre cannot stand for. Scans have none of these.
+    /// With perfectly aligned points all normals along a straight edge are the same, so that the whole edge is one cluster, which
+    /// its centre cannot represent. Scans do not have such edges.
     pub fn take_apart(self, points: &[[f64; 3]], reach: f64) -> Segmentation {
         let mut first = vec![u32::MAX; self.size.len()];
         let mut wide = vec![false; self.size.len()];
@@ -61,7 +61,7 @@ impl Segmentation {
         apart
     }
 
-    /// Clusters from any representative of each point's set.
+    /// Clusters from a representative of each point's set.
     fn numbered(roots: &[u32], least: u32) -> Segmentation {
         let mut number = vec![u32::MAX; roots.iter().max().map_or(0, |&r| r as usize + 1)];
         let (mut label, mut size) = (Vec::with_capacity(roots.len()), Vec::new());
@@ -75,13 +75,13 @@ impl Segmentation {
             label.push(*slot);
         }
         let mean = roots.len() as f64 / size.len().max(1) as f64;
-        // Of a single cluster, which is its own mean, the whole surface is one face.
+        // A single cluster is of mean size itself: the whole surface is one face.
         let one = size.len() == 1;
         let large = size.iter().map(|&s| (f64::from(s) > mean || one) && s >= least).collect();
         Segmentation { label, size, large }
     }
 
-    /// `(N)` one for the points of small clusters, which sharp edges are made of, zero for the others.
+    /// `(N)` one for the points of small clusters, which lie along sharp edges, zero for the others.
     pub fn score(&self) -> Vec<f32> {
         self.label.iter().map(|&c| if self.large[c as usize] { 0.0 } else { 1.0 }).collect()
     }
@@ -96,7 +96,7 @@ impl Segmentation {
         self.size.iter().zip(&self.large).filter(|(s, large)| **s > 0 && !**large).count()
     }
 
-    /// Mean number of points of the small clusters; zero without any.
+    /// Mean number of points of the small clusters; zero if there are none.
     pub fn mean_small(&self) -> f64 {
         let points: u32 = self.size.iter().zip(&self.large).filter(|(_, l)| !**l).map(|(s, _)| s).sum();
         f64::from(points) / self.small_count().max(1) as f64

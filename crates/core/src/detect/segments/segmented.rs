@@ -1,11 +1,11 @@
-//! What segmentation leaves, and the angle that it is made with.
+//! The result of segmentation, and its angle.
 
 use super::segmentation::Segmentation;
 use crate::neighbors::Neighbors;
 use crate::params::{Auto, SegmentForm, SegmentParams};
 use crate::resolution::Resolution;
 
-/// `alpha_max`, the angle of the paper, degrees.
+/// `alpha_max`, the paper's angle, degrees.
 const ANGLE_DEG: f64 = 8.0;
 
 /// A segmented cloud.
@@ -15,11 +15,11 @@ pub struct Segmented {
     pub segments: Segmentation,
     /// The one-rings (as printed; empty in the robust form, which uses the neighbour graph).
     pub rings: Neighbors,
-    /// Positions after smoothing, where the noise called for it; else empty.
+    /// Positions after smoothing; empty if the noise did not require any.
     pub smoothed: Vec<[f64; 3]>,
-    /// How often the points were smoothed.
+    /// Number of rounds of smoothing.
     pub rounds: usize,
-    /// Steps with seconds.
+    /// The steps with their times in seconds.
     pub seconds: Vec<(&'static str, f64)>,
 }
 
@@ -32,7 +32,7 @@ pub(super) fn angle(params: &SegmentParams, resolution: Resolution) -> f64 {
 }
 
 impl Segmented {
-    /// What the noise changed, for the summary.
+    /// A note for the summary on changes due to noise; `None` without any.
     pub(crate) fn note(&self, params: &SegmentParams, resolution: Resolution, hops: usize) -> Option<String> {
         let (angle, ratio) = (angle(params, resolution), resolution.noise / resolution.spacing);
         match (params.form, self.rounds) {

@@ -1,9 +1,9 @@
-//! Clouds too noisy for the segmentation (Demarsin et al. 2007, section 3: "a smoothing method should be applied first and a
-//! larger neighborhood for normal estimation can be used"; the paper gives no rule).
+//! Smooths clouds too noisy for the segmentation (Demarsin et al. 2007, section 3: "a smoothing method should be applied first
+//! and a larger neighborhood for normal estimation can be used"; the paper gives no rule).
 //!
-//! The rule here: a face has more points than a neighbourhood. Where less than half of all points lie in clusters of more than
+//! The rule here: a face has more points than a neighbourhood. If less than half of all points lie in clusters of more than
 //! `k` points, every point moves to the least-squares plane of its neighbours, normals are taken from rings of one more edge,
-//! and the segmentation is made again; up to three times.
+//! and the segmentation is repeated, up to three times.
 
 use super::segmentation::Segmentation;
 use crate::math::tensor::ellipsoid;
@@ -11,18 +11,18 @@ use crate::math::vec3::{add_scaled, dot, sub};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use rayon::prelude::*;
 
-/// Rounds of smoothing at the most.
+/// Greatest number of rounds of smoothing.
 pub const ROUNDS: usize = 3;
 /// Share of the points that must lie in faces.
 const IN_FACES: f64 = 0.5;
 
-/// Whether the clusters say that the cloud is too noisy for their angle.
+/// Whether the cloud is too noisy for the angle of these clusters.
 pub fn too_noisy(segments: &Segmentation, k: usize) -> bool {
     let faces: u32 = segments.size.iter().filter(|&&size| size as usize > k).sum();
     f64::from(faces) < IN_FACES * segments.label.len() as f64
 }
 
-/// Each point on the least-squares plane of its neighbours.
+/// The points, each moved to the least-squares plane of its neighbours.
 pub fn smoothed(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<[f64; 3]> {
     (0..points.len())
         .into_par_iter()
