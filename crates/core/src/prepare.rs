@@ -1,4 +1,4 @@
-//! What every method begins from: the cloud in its local frame, the neighbour graph, spacing and noise.
+//! Prepares a cloud for any method: local frame, neighbour graph, spacing and noise, points on surfaces.
 
 use crate::cloud::Cloud;
 use crate::error::Error;
@@ -12,7 +12,7 @@ use crate::surface::{self, CLUTTER, Scales, evened, spacings};
 
 /// Fewest distinct points that can lie on a surface.
 const SURFACE_POINTS: usize = 4;
-/// Share of the extent within which points are on one line.
+/// Greatest distance of collinear points from their line, as a share of its length.
 const COLLINEAR: f64 = 1e-9;
 
 /// A cloud ready for a detector: distinct points in canonical order, local frame.
@@ -21,23 +21,23 @@ pub(crate) struct Prepared {
     pub(crate) frame: Frame,
     /// `(M, 3)` positions of the points on surfaces.
     pub(crate) positions: Vec<[f64; 3]>,
-    /// `(M)` for each point its index in the input.
+    /// `(M)` index of each point in the input.
     pub(crate) source: Vec<u32>,
-    /// `(N)` for each point of the input its canonical index; `u32::MAX` if it was dropped or is clutter.
+    /// `(N)` canonical index of each input point; `u32::MAX` if it was dropped or is clutter.
     pub(crate) canonical: Vec<u32>,
     /// The Riemannian graph.
     pub(crate) graph: Neighbors,
-    /// Spacing and noise, the noise as given where a parameter gives it.
+    /// Spacing and noise; the noise of the parameters if they give one.
     pub(crate) resolution: Resolution,
     /// Points of the input that lie on no surface, ascending.
     pub(crate) clutter: Vec<u32>,
-    /// `(M)` the spacing at each point; empty where the mean stands for all.
+    /// `(M)` spacing at each point; empty if the mean holds everywhere.
     spacing: Vec<f32>,
     dropped: usize,
     merged: usize,
 }
 
-/// Localises a cloud, refuses it if it has no surface, joins its points to a graph and estimates its resolution.
+/// Localises a cloud, refuses it if it has no surface, makes its neighbour graph and estimates its resolution.
 ///
 /// # Errors
 /// [`Error::TooFewPoints`], [`Error::Collinear`], [`Error::Extent`] or [`Error::TooManyPoints`].
@@ -68,7 +68,7 @@ pub(crate) fn prepare(world: &Cloud, params: &Params, clock: &mut Clock) -> Resu
     Ok(Prepared { frame, positions, source, canonical, graph, resolution, clutter, spacing, dropped, merged })
 }
 
-/// Points joined to a graph, with their resolution.
+/// The neighbour graph of the points, and their resolution.
 struct Joined {
     nearest: Neighbors,
     graph: Neighbors,
@@ -84,8 +84,8 @@ impl Joined {
     }
 }
 
-/// Takes the points that do not stand for themselves out of the positions and sources, and has the canonical indices lead to those that
-/// stand for them; returns which of the input are clutter, ascending.
+/// Takes the points that do not represent themselves out of the positions and sources, and leads their canonical indices to
+/// their representatives; returns the input points that are clutter, ascending.
 fn take_out(
     stands: &[u32],
     positions: &mut Vec<[f64; 3]>,
@@ -143,7 +143,7 @@ fn refuse_degenerate(read: usize, positions: &[[f64; 3]]) -> Result<(), Error> {
     if positions.len() < SURFACE_POINTS {
         return Err(Error::TooFewPoints { read, distinct: positions.len(), needed: SURFACE_POINTS });
     }
-    // A point far out makes a line of all others: then the nearer half of the points decides.
+    // A single point far out makes all others look collinear, so the nearer half of the points decides then.
     let off_line =
         beside_line(positions, COLLINEAR) || beside_line(&nearer_half(positions), 10.0 * COLLINEAR);
     if off_line { Ok(()) } else { Err(Error::Collinear { distinct: positions.len() }) }
@@ -160,7 +160,7 @@ fn beside_line(positions: &[[f64; 3]], share: f64) -> bool {
     positions.iter().any(|&p| norm(cross(farthest, sub(p, origin))) > share * length * length)
 }
 
-/// The half of the points that lies nearer to the median of each axis.
+/// The half of the points nearer to the median of each axis.
 fn nearer_half(positions: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let half = positions.len().div_ceil(2);
     let median = |axis: usize| {

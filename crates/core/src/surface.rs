@@ -1,4 +1,4 @@
-//! The stage between neighbours and detection: which points lie on a surface, and how densely each place is sampled.
+//! The stage `surface`, between neighbours and detection: takes out clutter, thins rows, and gives the spacing at every point.
 
 mod clutter;
 mod scales;
@@ -10,16 +10,16 @@ pub use scales::{Scales, evened, spacings};
 use crate::neighbors::Neighbors;
 use crate::resolution::Resolution;
 
-/// Clouds of fewer points are too small to tell surface from clutter.
+/// Fewest points of a cloud in which surface and clutter can be told apart.
 const FEWEST: usize = 100;
-/// A cloud of which no more than this share lies on a surface is left as it is: there is nothing to clean it by.
+/// Least share of points on surfaces: a cloud with less is left as it is.
 const LEAST_SURFACE: f64 = 0.1;
-/// What stands for a point that lies on no surface.
+/// The representative of a point on no surface.
 pub const CLUTTER: u32 = u32::MAX;
 
-/// `(N)` the point that stands for each in what follows: itself; another of the row, where rows of a scan are thinned; or [`CLUTTER`]
-/// for leaves, stray returns and veils between surfaces. Empty where each stands for itself. `nearest` are the lists of
-/// nearest neighbours in order of distance.
+/// `(N)` representative of each point in the later stages: itself; a point beside it, where rows of a scan are thinned; or
+/// [`CLUTTER`] for leaves, stray returns and veils between surfaces. Empty if every point represents itself. `nearest` are the
+/// lists of nearest neighbours in order of distance.
 pub fn standing(points: &[[f64; 3]], nearest: &Neighbors, mean: Resolution) -> Vec<u32> {
     if points.len() < FEWEST {
         return Vec::new();
@@ -36,7 +36,7 @@ pub fn standing(points: &[[f64; 3]], nearest: &Neighbors, mean: Resolution) -> V
     if stands.iter().zip(0..).all(|(&s, i)| s == i) { Vec::new() } else { stands }
 }
 
-/// Marks clutter, and has the points that clutter stood for stand for themselves.
+/// Marks clutter. Points represented by a point of clutter represent themselves again.
 fn leave_out(stands: &mut [u32], clutter: &[bool]) {
     for (i, stand) in stands.iter_mut().enumerate() {
         if clutter[i] {

@@ -1,10 +1,11 @@
 //! Clutter: the points that lie on no surface.
 //!
-//! Leaves, rain, stray returns and the veils of returns between two surfaces make links through the air, and a chain of them looks
-//! like a crease, as both of its sides are empty. One point without support in a plane says little: edges, wires and faces a few
-//! spacings wide have many. So clutter is a piece: points among which most lack support, of which some lie deep in such a
-//! crowd, or which touch no surface at all. Beside that, a point without support is clutter where it stands alone, as a stray return
-//! and the thread of a veil do; what lies among clutter is drawn into it, and islands in it are too small to be surface.
+//! Leaves, rain, stray returns and veils of returns between two surfaces make links through the air, and a chain of them looks
+//! like a crease, as both of its sides are empty. A single point without support in a plane proves little: edges, wires and
+//! faces a few spacings wide have many such points. So clutter is decided for whole pieces: a crowd of points that mostly lack
+//! support is clutter if many of them lie deep in it, or if it touches no surface. A lone point without support is clutter too,
+//! such as a stray return or a point in the thread of a veil. Finally points among clutter join it, and so do islands in it
+//! that are too small to be surface.
 
 use super::support::{Plane, supported};
 use crate::math::union_find::UnionFind;
@@ -13,27 +14,30 @@ use crate::neighbors::Neighbors;
 use crate::resolution::Resolution;
 use rayon::prelude::*;
 
-/// Points with less company than this in a plane have no support.
+/// Points with fewer others in one plane with them than this have no support.
 const SUPPORT: usize = 8;
-/// Share of the neighbours without support from which on a point is in a crowd of such; and of those in a crowd from which on it
+/// Share of neighbours without support above which a point is in a crowd, and share of neighbours in a crowd above which it
 /// lies deep in it.
 const CROWD: (f64, f64) = (0.5, 0.75);
-/// A crowd is clutter if at least as many of its points lie deep in it as the least piece of surface has, and at least this share:
-/// a crowd at a coarsely sampled edge is mostly rim.
+/// Least share of a crowd's points that lie deep in it if it is clutter, besides at least [`ISLAND`] points: a crowd along a
+/// coarsely sampled edge is mostly rim.
 const MOSTLY_DEEP: f64 = 0.5;
-/// Links are at most this long, spacings at the denser end.
+/// Greatest length of a link, spacings at its denser end.
 const LINK: f64 = 3.0;
-/// Distance of its nearest neighbours, in that of theirs, from which on a point stands alone.
+/// Mean distance of a point from its nearest neighbours above which it stands alone, relative to the spacing around it.
 const ALONE: f32 = 1.5;
-/// Share of the neighbours in clutter from which on a point is drawn into it: without support, and with it.
+/// Share of neighbours in clutter above which a point joins it: without support, and with it.
 const DRAWN: (f64, f64) = (0.2, 0.5);
-/// Rounds in which points are drawn into clutter: it grows by no more than as many neighbours.
+/// Rounds in which points join clutter; it grows by one neighbour in each.
 const ROUNDS: usize = 3;
 /// Fewest points of a piece of surface.
 const ISLAND: u32 = 24;
 
-/// `(N)` whether each point is clutter. `nearest` are the lists of nearest neighbours in order of distance, `raw` the mean
-/// distance of the first of them, `spacing` the same smoothed; at the end of a row they are farther than within it, which `in_row` tells.
+/// `(N)` whether each point is clutter.
+///
+/// `nearest` are the lists of nearest neighbours in order of distance, `raw` the mean distance of the first of them, `spacing`
+/// the same smoothed. `in_row` marks points in rows, which never count as alone: at the end of a row the neighbours are farther
+/// than within it.
 pub(super) fn clutter(
     points: &[[f64; 3]],
     nearest: &Neighbors,
@@ -61,7 +65,7 @@ pub(super) fn clutter(
     clutter
 }
 
-/// What is left in pieces too small for a surface is clutter as well.
+/// Makes remaining pieces that are too small for a surface clutter as well.
 fn leave_islands(points: &[[f64; 3]], nearest: &Neighbors, spacing: &[f32], clutter: &mut [bool]) {
     let mut sets = UnionFind::new(points.len());
     for i in (0..points.len()).filter(|&i| !clutter[i]) {
@@ -77,7 +81,7 @@ fn leave_islands(points: &[[f64; 3]], nearest: &Neighbors, spacing: &[f32], clut
     (0..points.len()).for_each(|i| clutter[i] |= sizes[sets.find(i as u32) as usize] < ISLAND);
 }
 
-/// `(N)` whether more than a share of the neighbours of each point are marked.
+/// `(N)` whether more than the given share of the neighbours of each point are marked.
 fn where_share(nearest: &Neighbors, marked: &[bool], share: f64) -> Vec<bool> {
     let over = |i: usize| {
         let near = nearest.of(i);
@@ -86,7 +90,7 @@ fn where_share(nearest: &Neighbors, marked: &[bool], share: f64) -> Vec<bool> {
     (0..marked.len()).into_par_iter().with_min_len(1024).map(over).collect()
 }
 
-/// Of the points in crowds those of pieces that are clutter.
+/// `(N)` whether each point belongs to a crowd that is clutter.
 fn pieces(
     points: &[[f64; 3]],
     nearest: &Neighbors,
@@ -137,7 +141,7 @@ mod tests {
         (*seed >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Which points are clutter.
+    /// Whether each point is clutter.
     fn clutter(points: &[[f64; 3]]) -> Vec<bool> {
         let nearest = all_nearest(points, 12);
         let mean = Resolution::estimate(points, &nearest, &riemannian::graph(points, &nearest));
@@ -145,7 +149,7 @@ mod tests {
         (0..points.len()).map(|i| stands.get(i) == Some(&CLUTTER)).collect()
     }
 
-    /// Two walls of a room, with a point a square spacing and 2 % noise.
+    /// Two walls of a room, with one point for each square spacing and 2 % noise.
     fn room(seed: &mut u64) -> Vec<[f64; 3]> {
         let mut at = |i: f64| i + 0.8 * random(seed);
         let cells = |n: u32| (0..n * n).map(move |k| [f64::from(k % n), f64::from(k / n)]);

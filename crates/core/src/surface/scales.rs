@@ -1,27 +1,27 @@
-//! One scale a place: the spacing at every point, for all that is measured in spacings.
+//! Scales: the spacing at every point, the unit of all lengths there.
 //!
-//! A scanner samples what is near a hundred times as densely as what is far, so that one spacing for a whole scene rounds the near
-//! part and starves the far one. Where the sampling is nearly even the mean spacing of the cloud stands, as the estimate of a
-//! few neighbours adds nothing but its own error there.
+//! A scanner samples near surfaces a hundred times as densely as far ones, so that a single spacing for the whole scene is too
+//! coarse for the near part and too fine for the far one. Where the sampling is nearly even, the mean spacing of the cloud is
+//! used, as an estimate from few neighbours would only add its own error.
 
 use crate::math::vec3::distance;
 use crate::neighbors::Neighbors;
 use crate::resolution::Resolution;
 use rayon::prelude::*;
 
-/// Ratio to the mean spacing up to which a place is sampled like the whole cloud, and from which on it has its own spacing.
+/// Ratio of the local spacing to the mean: up to the first the mean is used, above the second the local spacing.
 const EVEN: (f64, f64) = (1.25, 1.6);
 /// Nearest neighbours whose mean distance is the spacing at a point.
 const NEAREST: usize = 6;
 /// Rounds of medians over the direct neighbours.
 const ROUNDS: usize = 2;
 
-/// Spacing and noise of the cloud, and the spacing at every point where it is not the same everywhere.
+/// Spacing and noise of the cloud, and the spacing at every point if it differs from place to place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scales<'a> {
-    /// Of the whole cloud.
+    /// Spacing and noise of the whole cloud.
     pub mean: Resolution,
-    /// `(N)` spacing at each point, local frame; empty where the mean stands for all.
+    /// `(N)` spacing at each point, local frame; empty if the mean holds everywhere.
     spacing: &'a [f32],
 }
 
@@ -46,20 +46,20 @@ impl<'a> Scales<'a> {
         }
     }
 
-    /// The length below which nothing can be told at point `i`: see [`Resolution::unit`].
+    /// The length below which no detail can be resolved at point `i`: see [`Resolution::unit`].
     #[inline]
     pub fn unit(&self, i: u32) -> f64 {
         self.at(i as usize).unit()
     }
 
-    /// The mean of that of two points.
+    /// The mean unit of two points.
     #[inline]
     pub fn between(&self, i: u32, j: u32) -> f64 {
         if self.spacing.is_empty() { self.mean.unit() } else { 0.5 * (self.unit(i) + self.unit(j)) }
     }
 }
 
-/// `(N)` mean distance of every point to its six nearest. `nearest` are the lists of nearest neighbours in order of distance.
+/// `(N)` mean distance of every point from its six nearest. `nearest` are the lists of nearest neighbours in order of distance.
 pub(super) fn raw(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<f32> {
     let own = |i: usize| {
         let six = &nearest.of(i)[..nearest.of(i).len().min(NEAREST)];
@@ -69,12 +69,12 @@ pub(super) fn raw(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<f32> {
     (0..points.len()).into_par_iter().with_min_len(1024).map(own).collect()
 }
 
-/// `(N)` the spacing at every point: the mean distance to the six nearest, smoothed over the neighbours in the lists.
+/// `(N)` spacing at every point: the mean distance from its six nearest, smoothed over the neighbours in the lists.
 pub fn spacings(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<f32> {
     smoothed(raw(points, nearest), nearest)
 }
 
-/// Medians over the neighbours, twice.
+/// Takes medians over the neighbours, twice.
 pub(super) fn smoothed(mut spacing: Vec<f32>, nearest: &Neighbors) -> Vec<f32> {
     for _ in 0..ROUNDS {
         spacing = (0..spacing.len())
@@ -91,12 +91,12 @@ pub(super) fn smoothed(mut spacing: Vec<f32>, nearest: &Neighbors) -> Vec<f32> {
     spacing
 }
 
-/// The spacings with the mean of the cloud where they differ little from it.
+/// The spacings, with the mean of the cloud where they differ little from it.
 pub fn evened(spacing: &[f32], mean: Resolution) -> Vec<f32> {
     spacing.par_iter().map(|&raw| blended(f64::from(raw), mean) as f32).collect()
 }
 
-/// The spacing at a place: `raw` where it is clearly another than the mean, the mean where it is not, and a blend between.
+/// The spacing at a place: `raw` if it clearly differs from the mean, the mean if it does not, and a blend in between.
 fn blended(raw: f64, mean: Resolution) -> f64 {
     let ratio = (raw / mean.spacing).max(mean.spacing / raw);
     let share = ((ratio - EVEN.0) / (EVEN.1 - EVEN.0)).clamp(0.0, 1.0);

@@ -1,8 +1,8 @@
-//! Support: how many of the points around a point lie with it in one plane.
+//! Support: the number of points around a point that lie in one plane with it.
 //!
-//! A surface gives its points company in a plane, at an edge in one of two; leaves, rain and stray returns fill a volume. Of the planes
-//! of the point and of its nearest neighbours, each fitted to a handful of points, the best one that holds the point counts, as
-//! in the consensus of the normals (`detect/consensus.rs`).
+//! On a surface a point has others in its plane, at an edge in one of two planes; leaves, rain and stray returns fill a volume.
+//! Among the planes of the point and of its nearest neighbours, each fitted to a few points, the best one through the point
+//! counts, as in the consensus of the normals (`detect/evidence/consensus.rs`).
 
 use crate::math::tensor::ellipsoid;
 use crate::math::vec3::{dot, sub};
@@ -10,23 +10,23 @@ use crate::neighbors::{Found, Index, Neighbors};
 use crate::resolution::Resolution;
 use rayon::prelude::*;
 
-/// Neighbours that a plane is fitted to, and whose planes are tried.
+/// Neighbours to which a plane is fitted, and whose planes are tried.
 const FITTED: usize = 8;
 /// Neighbours that are counted.
 const COUNTED: usize = 24;
-/// Farthest neighbour that counts, local spacings: company that is far is none.
+/// Greatest distance of a neighbour that counts, local spacings.
 const NEAR: f64 = 4.0;
-/// Distance from a plane up to which a point lies in it: local spacings, or standard deviations of the noise.
+/// Greatest distance from a plane of a point in it: local spacings, or standard deviations of the noise if that is more.
 const IN_PLANE: (f64, f64) = (0.15, 3.0);
 
-/// A plane near the point that it was fitted around.
+/// A plane fitted to the neighbourhood of a point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plane {
     /// Its centre, from the point.
     centre: [f32; 3],
     /// Unit normal without orientation.
     normal: [f32; 3],
-    /// Unit direction in which its points reach farthest.
+    /// Unit direction of the greatest extent of its points.
     pub(super) along: [f32; 3],
     /// Ratio of its points' extents in the plane, at least 1.
     pub(super) elongation: f32,
@@ -48,13 +48,13 @@ pub(super) fn planes(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<Plane> {
     (0..points.len()).into_par_iter().with_min_len(1024).map(fit).collect()
 }
 
-/// How far from a plane a point lies in it, at a place of that spacing.
+/// Greatest distance from a plane of a point in it, at a place of that spacing.
 fn tolerance(spacing: f32, mean: Resolution) -> f64 {
     (IN_PLANE.0 * f64::from(spacing)).max(IN_PLANE.1 * mean.noise)
 }
 
-/// `(N)` whether at least `enough` of the 24 nearest of every point lie in one plane with it. `spacing` is that at each point. Most points
-/// have enough among those in their list, so that few need a search.
+/// `(N)` whether at least `enough` of the 24 nearest of every point lie in one plane with it. `spacing` is the spacing at each
+/// point. Most points have enough in their list of neighbours, so that few need a search.
 pub(super) fn supported(
     points: &[[f64; 3]],
     nearest: &Neighbors,
@@ -82,7 +82,7 @@ pub(super) fn supported(
     (0..points.len()).into_par_iter().with_min_len(1024).map_init(Default::default, own).collect()
 }
 
-/// Whether one of the planes around holds point `i` and at least `enough` of the places `near`, given from it.
+/// Whether one of the planes around point `i` holds it and at least `enough` of the places `near`, relative to it.
 fn is_held(
     points: &[[f64; 3]],
     i: usize,

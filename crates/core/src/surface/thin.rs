@@ -1,27 +1,27 @@
-//! Rows: places sampled far more densely along the scan lines than across them are thinned along the lines.
+//! Thins rows: scan lines along which the sampling is far denser than across them.
 //!
-//! Where all nearest neighbours of a point lie in its own scan line, nothing sees the surface between the lines: every line looks like a
-//! crease or a border of its own. Points along it are then thinned to half the distance of the lines, in canonical order, each
-//! point left out standing for itself through the one kept beside it.
+//! Where all nearest neighbours of a point lie in its own scan line, they do not show the surface between the lines, and every
+//! line looks like a crease or a border. The points along it are then thinned, in canonical order, to half the distance between
+//! the lines. Each point left out is represented by the kept one beside it.
 
 use super::support::Plane;
 use crate::math::vec3::{add_scaled, dot, norm, sub};
 use crate::neighbors::{Index, Neighbors};
 use rayon::prelude::*;
 
-/// Ratio of the axes of a neighbourhood in its plane from which on it is a piece of a row.
+/// Ratio of the axes of a neighbourhood in its plane above which it is a piece of a row.
 const ELONGATED: f32 = 3.0;
-/// Neighbours among which a point of the next row is looked for.
+/// Number of neighbours among which a point of the next row is searched.
 const SEARCHED: usize = 64;
 /// Least distance of the next row from the line through the point along its own, spacings.
 const BESIDE: f64 = 1.5;
-/// Farthest row that the surface goes on in, spacings.
+/// Greatest distance of the next row, spacings: farther rows are another surface.
 const FARTHEST: f64 = 24.0;
-/// Distance of the points that stay, as a share of the distance of the rows.
+/// Distance between kept points, as a share of the distance between rows.
 const STAY: f64 = 0.5;
 
-/// `(N)` the point that stands for each: itself, or the one kept beside it where a row is thinned; and `(N)` whether each lies in a row
-/// with another beside it.
+/// `(N)` representative of each point: itself, or the kept point beside it where a row is thinned; and `(N)` whether each lies in
+/// a row with another row beside it.
 pub(super) fn thin(
     points: &[[f64; 3]],
     nearest: &Neighbors,
@@ -59,7 +59,7 @@ pub(super) fn thin(
     (stands, reach.iter().map(|&r| r > 0.0).collect())
 }
 
-/// The distance from point `i` to the next row; zero where there is none.
+/// The distance from point `i` to the next row; zero if there is none.
 fn gap(
     points: &[[f64; 3]],
     index: &Index,
@@ -78,7 +78,7 @@ fn gap(
     beside.map_or(0.0, norm).min(FARTHEST * unit)
 }
 
-/// `(N)` the median of the gaps over the neighbours in rows; zero for points in none.
+/// `(N)` median of the gaps over the neighbours in rows; zero for points in no row.
 fn smoothed(count: usize, nearest: &Neighbors, rows: &[u32], gaps: &[f64]) -> Vec<f32> {
     let mut own = vec![0.0_f32; count];
     rows.iter().zip(gaps).for_each(|(&i, &g)| own[i as usize] = g as f32);
