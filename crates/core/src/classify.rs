@@ -6,11 +6,11 @@ use crate::neighbors::Index;
 use crate::network::{Network, StripKind};
 use crate::resolution::Resolution;
 
-/// A point belongs to a line up to this many spacings from it. On a square lattice a row beside the line lies at .88 mean
-/// spacings to the six nearest: it is not on the line.
+/// Greatest distance of a point on a line from it, spacings. On a square lattice the next row, which is not on the line, lies at
+/// .88 spacings, the spacing being the mean distance to the six nearest.
 const ON_LINE: f64 = 0.85;
 
-/// `(N)` the class of every point: near a node, near a strip, or neither. Network and points in one frame.
+/// `(N)` class of every point: near a node, near a strip, or neither. Network and points in the same frame.
 pub fn classes(points: &[[f64; 3]], network: &Network, resolution: Resolution) -> Vec<Class> {
     let mut classes = vec![Class::Smooth; points.len()];
     let index = Index::build(points);

@@ -1,4 +1,4 @@
-//! The points that a scan file gave, as they came.
+//! Point clouds as they are read, with their attributes.
 
 /// A point cloud in the world frame, in the order of its input.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -6,8 +6,8 @@ pub struct Cloud {
     /// `(N, 3)` f64, world frame, in the unit of the input. May hold non-finite rows and duplicates:
     /// `Frame::localise` drops and merges them, and counts both.
     pub positions: Vec<[f64; 3]>,
-    /// Columns that came with the points, each with one value a point. No stage reads them; they are carried
-    /// through by index, so that an output can hand them on.
+    /// Further columns of the input, each with one value for each point. No stage reads them; they are carried through by index
+    /// for the outputs.
     pub attributes: Vec<Attribute>,
 }
 
@@ -20,7 +20,7 @@ pub struct Attribute {
     pub values: Column,
 }
 
-/// The values of an [`Attribute`], in the type that the input stored.
+/// The values of an [`Attribute`], in the type of the input.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the variants are the number types themselves
 pub enum Column {

@@ -1,4 +1,4 @@
-//! What the library refuses, and why.
+//! The errors of the library.
 
 use thiserror::Error;
 
@@ -9,11 +9,11 @@ pub enum Error {
     /// A parameter is unknown or outside its range.
     #[error("parameter `{key}` = `{value}`: {expected}")]
     Parameter {
-        /// The full key, such as `penalty.rho`.
+        /// The full key, such as `spanning.rho`.
         key: String,
         /// The value as it was given.
         value: String,
-        /// What would have been accepted.
+        /// The values that are accepted.
         expected: String,
     },
     /// Too few distinct, finite points for any surface.
@@ -21,9 +21,9 @@ pub enum Error {
     TooFewPoints {
         /// Points given.
         read: usize,
-        /// Points left once non-finite ones are dropped and exact duplicates merged.
+        /// Points that remain after non-finite ones are dropped and exact duplicates merged.
         distinct: usize,
-        /// The least number that has a meaning.
+        /// The least number that can lie on a surface.
         needed: usize,
     },
     /// All points lie on one straight line, to rounding.
@@ -35,7 +35,7 @@ pub enum Error {
     /// A detector's measure does not match the points.
     #[error("the measure of the detector: {fault}")]
     Measure {
-        /// The column and its length, or the candidate.
+        /// The column and its length, or the candidate at fault.
         fault: String,
     },
     /// More points than the 32-bit point index can number.

@@ -20,12 +20,12 @@ use crate::resolution::Resolution;
 ///
 /// # Errors
 /// [`Error::Parameter`] for a value out of range; [`Error::TooFewPoints`], [`Error::Collinear`], [`Error::Extent`] or
-/// [`Error::TooManyPoints`] for a cloud that has no surface.
+/// [`Error::TooManyPoints`] for a cloud without a surface, or one beyond the limits.
 pub fn extract(world: &Cloud, params: &Params) -> Result<Extraction, Error> {
     extract_observed(world, params, &|_| ())
 }
 
-/// [`extract`], telling `observe` when each stage begins and ends.
+/// As [`extract`]; `observe` is called when each stage begins and ends.
 ///
 /// # Errors
 /// As [`extract`].
@@ -37,7 +37,7 @@ pub fn extract_observed(
     pipeline(world, params, observe, &|cloud| Ok(method::detect(cloud, params)))
 }
 
-/// [`extract`] with a detector of one's own and the linker of the method `penalty`. `detect` gets the positions (distinct
+/// As [`extract`], with a detector of one's own and the linker of the method `penalty`. `detect` gets the positions (distinct
 /// points in canonical order, local frame), their neighbour graph, spacing and noise.
 ///
 /// # Errors
@@ -96,35 +96,35 @@ fn pipeline(
     })
 }
 
-/// Everything that [`extract`] found, stage by stage.
+/// The results of [`extract`], stage by stage.
 #[derive(Clone, Debug)]
 pub struct Extraction {
     /// Counts, estimates and times.
     pub report: Report,
     /// World frame to local frame.
     pub frame: Frame,
-    /// `(M)` for each point kept, in canonical order, its index in the input.
+    /// `(M)` index in the input of each point kept, in canonical order.
     pub source: Vec<u32>,
-    /// `(N)` for each point of the input its canonical index; `u32::MAX` if it was dropped or is clutter.
+    /// `(N)` canonical index of each input point; `u32::MAX` if it was dropped or is clutter.
     pub canonical: Vec<u32>,
     /// Points of the input that lie on no surface, ascending.
     pub clutter: Vec<u32>,
-    /// What the detector said of every point kept, canonical order, local frame.
+    /// The detector's measure of every point kept, canonical order, local frame.
     pub measure: Measure,
-    /// `(M)` what each point kept is, canonical order: by the detector, or from the network.
+    /// `(M)` class of each point kept, canonical order: from the detector, or else from the network.
     pub class: Vec<Class>,
-    /// What the linker made of it, canonical indices, local frame.
+    /// The linker's pattern, canonical indices, local frame.
     pub pattern: Pattern,
-    /// What the method `segments` went through, canonical indices, local frame; `None` with any other.
+    /// The steps of the method `segments`, canonical indices, local frame; `None` with other methods.
     pub clusters: Option<ClusterStages>,
     /// The result, world frame, sources as indices of the input.
     pub network: Network,
-    /// The patches between the strips, world frame, where they were asked for.
+    /// The patches between the strips, world frame; `None` if they were not asked for.
     pub patches: Option<Patches>,
 }
 
 impl Extraction {
-    /// `(N)` the class of every point of the input, in its order; dropped points are smooth.
+    /// `(N)` class of every point of the input, in its order; dropped points are smooth.
     pub fn classes(&self) -> Vec<Class> {
         let of = |&c: &u32| self.class.get(c as usize).copied().unwrap_or_default();
         let mut classes: Vec<Class> = self.canonical.iter().map(of).collect();
@@ -132,7 +132,7 @@ impl Extraction {
         classes
     }
 
-    /// `(N)` the score of every point of the input, in its order, 0 to 1; NaN for dropped points, zero for clutter.
+    /// `(N)` score of every point of the input, in its order, 0 to 1; NaN for dropped points, zero for clutter.
     pub fn scores(&self) -> Vec<f32> {
         let of = |&c: &u32| self.measure.score.get(c as usize).copied().unwrap_or(f32::NAN);
         let mut scores: Vec<f32> = self.canonical.iter().map(of).collect();
@@ -140,7 +140,8 @@ impl Extraction {
         scores
     }
 
-    /// `(N)` the patch of every point of the input, in its order; [`NO_PATCH`] for none, and where none were looked for.
+    /// `(N)` patch of every point of the input, in its order; [`NO_PATCH`] for none, and for all points if patches were not asked
+    /// for.
     pub fn patch_labels(&self) -> Vec<u32> {
         let label = |c: u32| self.patches.as_ref().and_then(|p| p.label.get(c as usize).copied());
         self.canonical.iter().map(|&c| label(c).unwrap_or(NO_PATCH)).collect()

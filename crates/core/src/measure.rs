@@ -1,47 +1,46 @@
-//! What a detector says of every point.
+//! The measure: a detector's output, with penalties, score, class and normal of every point.
 
 use crate::error::Error;
 
-/// The output of a detector: one row a point, canonical order, local frame.
+/// The output of a detector: one row for each point, canonical order, local frame.
 ///
 /// Any detector can feed any linker. A linker for lines reads the two [`Penalties`]; a viewer reads `score` and `class`.
 #[derive(Clone, Debug, Default)]
 pub struct Measure {
-    /// `(N)` the sampling density: average distance to the direct neighbours in the neighbour graph (Gumhold 2001,
-    /// equation 1), spacings.
+    /// `(N)` sampling density `mu`: average distance to the direct neighbours in the neighbour graph (Gumhold 2001, equation 1),
+    /// in the unit of the local frame.
     pub density: Vec<f32>,
     /// `(N)` evidence of a feature, 0 smooth to 1 certain.
     pub score: Vec<f32>,
-    /// `(N)` what the point is, by a detector that has a classification of its own.
+    /// `(N)` class of each point, from a detector with a classification of its own.
     pub class: Option<Vec<Class>>,
     /// `(N, 3)` unit normals without orientation; patches need them.
     pub normal: Vec<[f32; 3]>,
-    /// Against being on a crease.
+    /// Penalties against lying on a crease.
     pub crease: Penalties,
-    /// Against being on a border.
+    /// Penalties against lying on a border.
     pub border: Penalties,
 }
 
-/// The penalties of the points that may lie on one kind of line; all others are left out, as nothing else can enter a
-/// pattern.
+/// The penalties of the candidates, the points that may lie on one kind of line. Only candidates can enter a pattern.
 #[derive(Clone, Debug, Default)]
 pub struct Penalties {
-    /// `(M)` candidates as point indices, ascending.
+    /// `(M)` point index of each candidate, ascending.
     pub points: Vec<u32>,
-    /// `(M)` penalty in `[0, 1]` whatever the direction: Gumhold's curvature penalty of a crease, open angle of a border.
+    /// `(M)` penalty in `[0, 1]` independent of direction: Gumhold's curvature penalty for creases, open angle for borders.
     pub scalar: Vec<f32>,
     /// `(M, 3)` vector penalty, in the sense of `direction`.
     pub vector: Vec<[f32; 3]>,
-    /// `(M)` bound of the vector penalty: at a corner no direction is preferred.
+    /// `(M)` upper bound of the vector penalty; it is low at corners, where no direction is preferred.
     pub corner: Vec<f32>,
-    /// `(M, 3)` where on the line the point says that it is; its own position if it cannot tell.
+    /// `(M, 3)` foot of each candidate, its estimated place on the line; its own position where there is no estimate.
     pub foot: Vec<[f64; 3]>,
-    /// `(M)` what a cross-section shows; `None` where none was taken: by a detector that has no such test, at borders and at
-    /// corners.
+    /// `(M)` evidence of the cross-section; `None` where none was taken: at borders, at corners, and by a detector without this
+    /// test.
     pub evidence: Vec<Option<Evidence>>,
     /// How `vector` acts on an edge.
     pub direction: Direction,
-    /// Share of `scalar` in the weight of an edge, the rest is the vector penalty's.
+    /// Share of `scalar` in the weight of an edge (Gumhold's `alpha` or `gamma`); the rest is that of the vector penalty.
     pub share: f64,
 }
 
@@ -51,11 +50,12 @@ pub enum Direction {
     /// As printed in Gumhold 2001: the penalty is the part of the vector along the unit edge.
     #[default]
     Along,
-    /// The vector is the line's direction times its certainty; the penalty is how far the edge leaves it, in spacings.
+    /// The vector is the line's direction times its certainty; the penalty is the distance by which the edge leaves it, in
+    /// spacings.
     Across,
 }
 
-/// What a point is.
+/// The class of a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(u8)]
 pub enum Class {
@@ -66,7 +66,7 @@ pub enum Class {
     Crease = 1,
     /// On a border.
     Border = 2,
-    /// Where lines meet, end or turn.
+    /// At a place where lines meet, end or turn.
     Corner = 3,
     /// On no surface: leaves, stray returns, veils between surfaces.
     Clutter = 4,
@@ -116,7 +116,7 @@ impl Penalties {
         }
     }
 
-    /// Without candidates yet.
+    /// Penalties without any candidate.
     pub(crate) fn new(share: f64, direction: Direction) -> Self {
         Self { share, direction, ..Self::default() }
     }
@@ -145,24 +145,24 @@ impl Penalties {
 /// The penalties of one candidate, as in [`Penalties`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
-    /// Penalty in `[0, 1]` whatever the direction.
+    /// Penalty in `[0, 1]` independent of direction.
     pub scalar: f32,
     /// Vector penalty.
     pub vector: [f32; 3],
-    /// Bound of the vector penalty.
+    /// Upper bound of the vector penalty.
     pub corner: f32,
-    /// Where on the line the point says that it is.
+    /// Estimated place of the point on the line.
     pub foot: [f64; 3],
-    /// What a cross-section shows.
+    /// Evidence of the cross-section.
     pub evidence: Option<Evidence>,
 }
 
-/// What the cross-section of a crease candidate shows.
+/// The evidence of the cross-section of a crease candidate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evidence {
-    /// Evidence that the line is sharp, in variances of the noise; negative speaks for a smooth surface.
+    /// Evidence that the line is sharp, in variances of the noise; negative values indicate a smooth surface.
     pub sharp: f32,
-    /// The evidence that a sharp fold of the measured angle would give without noise.
+    /// The evidence expected of a sharp fold of the measured angle without noise.
     pub expected: f32,
     /// Angle between the faces, radians, never negative.
     pub fold: f32,

@@ -1,4 +1,4 @@
-//! The choice of method: which detector and which linker run, and what is said of them. The one place that names methods.
+//! The choice of method: the detector and the linker of each, with their settings and notes. Only this file names methods.
 
 mod segments;
 
@@ -14,7 +14,7 @@ use crate::pattern::Pattern;
 use crate::prepare::Prepared;
 use crate::recover::{recover, take_back};
 
-/// What the method's detector says of every point.
+/// Runs the method's detector.
 pub(crate) fn detect(cloud: &Prepared, params: &Params) -> Measure {
     let Prepared { positions, graph, resolution, .. } = cloud;
     match params.method {
@@ -24,7 +24,7 @@ pub(crate) fn detect(cloud: &Prepared, params: &Params) -> Measure {
     }
 }
 
-/// Links by the method; the method `segments` also says what it went through.
+/// Runs the method's linker; the method `segments` also returns its steps.
 pub(crate) fn link(
     cloud: &Prepared,
     measure: &mut Measure,
@@ -42,12 +42,12 @@ pub(crate) fn link(
     }
 }
 
-/// Whether patches are looked for: where asked for, and by the method whose lines bound them.
+/// Whether patches are to be found: if asked for, and by the method whose lines bound them.
 pub(crate) fn wants_patches(params: &Params) -> bool {
     params.patches.find.or(|| params.method == Method::Segments)
 }
 
-/// The patches between the strips; the robust form of `segments` takes strips back that no two patches bear out.
+/// The patches between the strips; the robust form of `segments` removes strips that the patches do not confirm.
 pub(crate) fn patches(
     cloud: &Prepared,
     measure: &Measure,
@@ -67,7 +67,7 @@ pub(crate) fn patches(
     patch::patches(&ground, network)
 }
 
-/// The values chosen for parameters left to the data.
+/// The values of parameters derived from the data.
 pub(crate) fn settings(cloud: &Prepared, params: &Params) -> Vec<(String, String)> {
     let derived = penalty::derive(&params.penalty, cloud.resolution);
     let CycleRule { rho, metric, .. } = cycle_rule(cloud, params);
@@ -82,7 +82,7 @@ pub(crate) fn settings(cloud: &Prepared, params: &Params) -> Vec<(String, String
     ]
 }
 
-/// What the user should know of the result.
+/// Notes for the user on the result.
 pub(crate) fn notes(cloud: &Prepared, clusters: Option<&ClusterStages>, params: &Params) -> Vec<String> {
     let hops = penalty::derive(&params.penalty, cloud.resolution).hops;
     let noisy = |c: &ClusterStages| c.segmented.note(&params.segments, cloud.resolution, hops);

@@ -1,4 +1,4 @@
-//! The result: crease strips and border loops that meet in nodes.
+//! The feature network, the result: crease strips and border loops that meet in nodes.
 
 mod strip;
 mod trace;
@@ -9,7 +9,7 @@ pub(crate) use trace::{Trace, trace};
 /// A feature network: strips that run from node to node, and closed strips without any.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Network {
-    /// Where strips meet or end.
+    /// The points where strips meet or end.
     pub nodes: Vec<Node>,
     /// The lines, each ordered.
     pub strips: Vec<Strip>,
@@ -18,17 +18,17 @@ pub struct Network {
 /// A point where strips meet or end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {
-    /// World frame once in an `Extraction`.
+    /// World frame in an `Extraction`, local frame before.
     pub position: [f64; 3],
-    /// What meets here.
+    /// The kind, by the number of strips that meet here.
     pub kind: NodeKind,
     /// The number of strip ends here; a strip that starts and ends at one node counts twice.
     pub degree: u32,
-    /// The point of the cloud nearest to the node's origin in the pattern, as an index into the input.
+    /// The point of the cloud for the node's vertex in the pattern, as an index into the input.
     pub source: u32,
 }
 
-/// What a [`Node`] is, by the strips that meet in it.
+/// The kind of a [`Node`], by the strips that meet in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum NodeKind {
     /// Three strips or more.
@@ -42,7 +42,7 @@ pub enum NodeKind {
 }
 
 impl NodeKind {
-    /// The kind of a node in which that many strip ends meet.
+    /// The kind of a node in which `degree` strip ends meet.
     pub(crate) fn of_degree(degree: u32) -> NodeKind {
         match degree {
             0 => NodeKind::Apex,

@@ -1,17 +1,17 @@
-//! Patches: the smooth regions of the surface that the strips of a network bound, and the curve network they form.
+//! Patches: the smooth regions of the surface between the strips of a network, and the curve network that bounds them.
 //!
 //! Demarsin et al. 2007 leave this step to the future (section 4: "a set of loops, where each loop defines the boundary of an
 //! area where a patch can be fitted"). Here a patch is a connected part of the neighbour graph that no strip crosses:
 //!
-//! 1. `stations`: along each strip the directions in which the surface leaves it on both sides;
-//! 2. `beside`: which points lie beside which strip, and on which side;
+//! 1. `stations`: places along each strip, with frames;
+//! 2. `beside`: the points beside each strip, and the directions in which the surface leaves it on both sides;
 //! 3. `flood`: components of the graph over the edges that cross no strip;
-//! 4. `orient`: normals that point outwards, from patch to patch over the strips;
-//! 5. `area`, `fit`: a first surface of each patch;
-//! 6. `sides`: the patches left and right of each strip, the fold between them;
-//! 7. `loops`: strips in order round each patch.
+//! 4. `orient`: outward normals, from patch to patch over the strips;
+//! 5. `area`, `fit`: the area of each patch and its surface;
+//! 6. `sides`: the patches left and right of each strip, and the fold between them;
+//! 7. `loops`: the strips in order round each patch.
 //!
-//! It takes the network of any method. Whether a patch is a whole face depends on the strips: a gap joins two faces.
+//! The network of any method will do. Whether a patch is a whole face depends on the strips: a gap in them joins two faces.
 
 mod area;
 mod beside;

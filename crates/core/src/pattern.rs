@@ -1,4 +1,4 @@
-//! What the linker leaves: a graph of points for each kind of line.
+//! The pattern: a linker's output, one graph for each kind of line.
 
 mod line_graph;
 mod paths;
@@ -11,9 +11,9 @@ use crate::network::StripKind;
 /// The crease pattern and the border pattern (Gumhold 2001, figure 1), local frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pattern {
-    /// Points that creases run through.
+    /// The graph of creases.
     pub crease: LineGraph,
-    /// Points that borders run through.
+    /// The graph of borders.
     pub border: LineGraph,
 }
 

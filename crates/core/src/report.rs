@@ -1,8 +1,8 @@
-//! What the pipeline tells of itself: stages as they begin and end, and a report at the end.
+//! Progress and report of the pipeline: stages as they begin and end, counts and times at the end.
 
 use std::time::Instant;
 
-/// What happened, for a summary.
+/// Counts, estimates and times, for a summary.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
     /// Points given.
@@ -21,9 +21,9 @@ pub struct Report {
     pub noise: f64,
     /// Seconds that each stage took.
     pub stages: Vec<(Stage, f64)>,
-    /// The values chosen for parameters left to the data.
+    /// The values of parameters derived from the data.
     pub settings: Vec<(String, String)>,
-    /// What the user should know of this result.
+    /// Notes for the user on the result.
     pub notes: Vec<String>,
 }
 
@@ -34,9 +34,9 @@ pub enum Stage {
     Localise,
     /// Nearest neighbours and the neighbour graph.
     Neighbors,
-    /// Surface told from clutter.
+    /// Points on surfaces told from clutter.
     Surface,
-    /// What every point says of lines.
+    /// Penalties and scores of the points.
     Detect,
     /// Patterns.
     Link,
@@ -70,7 +70,7 @@ pub struct Progress {
     pub done: f64,
 }
 
-/// Tells when stages begin and end, and takes their time.
+/// Reports when stages begin and end, and times them.
 pub(crate) struct Clock<'a> {
     observe: &'a (dyn Fn(Progress) + Sync),
     /// Seconds that each stage took.
@@ -82,7 +82,7 @@ impl<'a> Clock<'a> {
         Self { observe, stages: Vec::new() }
     }
 
-    /// Does the work of a stage.
+    /// Runs the work of a stage.
     pub(crate) fn run<T>(&mut self, stage: Stage, work: impl FnOnce() -> T) -> T {
         (self.observe)(Progress { stage, done: 0.0 });
         let start = Instant::now();

@@ -1,4 +1,4 @@
-//! How densely and how noisily the surface was sampled: two numbers that every tolerance follows from.
+//! Resolution: the spacing and the noise of the sampling, from which every tolerance follows.
 
 use crate::math::tensor::ellipsoid;
 use crate::neighbors::{Neighbors, mean_distance, riemannian::Scratch};
@@ -7,34 +7,34 @@ use rayon::prelude::*;
 /// Mean spacing and noise of a cloud, local frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Resolution {
-    /// Mean distance to the six nearest neighbours, corrected for what noise adds to it.
+    /// Mean distance to the six nearest neighbours, corrected for the part due to noise.
     pub spacing: f64,
     /// Standard deviation of the noise along the surface normal.
     pub noise: f64,
 }
 
-/// Points looked at for the estimate; more change it by less than a percent.
+/// Number of points from which the estimate is made; more change it by less than a percent.
 const SAMPLES: usize = 20_000;
-/// Sizes of the local plane fits, own point included, with the 30 % quantile of the root of a chi-square variable of
-/// `size - 3` degrees of freedom over those degrees: what a fit to pure noise of standard deviation 1 shows there.
+/// Sizes of the local plane fits, own point included, and for each the 30 % quantile of the root of a chi-square variable of
+/// `size - 3` degrees of freedom divided by these degrees: the residual of a fit to pure noise of standard deviation 1.
 const FITS: [(usize, f64); 2] = [(9, 0.799), (13, 0.852)];
 /// The same quantile for the hundred points and more of a neighbourhood by graph distance.
 const WIDE_QUANTILE: f64 = 0.96;
-/// Greatest graph distance that noise is looked for at.
+/// Greatest graph distance of the neighbourhoods in which noise is estimated.
 const WIDEST_HOPS: usize = 5;
-/// Points whose neighbours are this many times as far off as those of most do not count.
+/// Multiple of the median above which a distance to neighbours does not count.
 const STRAY: f64 = 8.0;
-/// A low quantile over the points keeps creases and curved places out.
+/// The quantile of the residuals over the points: a low one leaves creases and curved places out.
 const QUANTILE: f64 = 0.3;
-/// A neighbourhood is flat if its residual is at most this share of its radius: else it lies within the noise, and shows
-/// its own size rather than the noise's.
+/// Greatest residual of a flat neighbourhood, as a share of its radius. One that is not flat is smaller than the noise, and its
+/// residual measures its own size.
 const FLAT: f64 = 0.25;
 
 impl Resolution {
     /// Estimates both from `nearest`, the lists of nearest neighbours in order of distance, and the graph made of them.
     ///
-    /// Noise is the residual of local plane fits: of several sizes the least that is flat, as curvature only adds to it; of
-    /// neighbourhoods of growing graph distance the first that is flat, where none of those was.
+    /// Noise is the residual of local plane fits: the least among the flat ones of several sizes, as curvature only adds to it.
+    /// If none of these is flat, neighbourhoods of growing graph distance are tried, and the first flat one counts.
     pub fn estimate(points: &[[f64; 3]], nearest: &Neighbors, graph: &Neighbors) -> Resolution {
         let step = points.len().div_ceil(SAMPLES).max(1);
         let chosen: Vec<usize> = (0..points.len()).step_by(step).collect();
@@ -47,7 +47,7 @@ impl Resolution {
         });
         let noise =
             small.min_by(f64::total_cmp).or_else(|| wide_noise(points, graph, &chosen)).unwrap_or(0.0);
-        // Noise pushes neighbours apart: measured on planes, the six nearest lie at h (1 + 3/4 (sigma / h)^2).
+        // Noise pushes neighbours apart: on planes, the six nearest lie at h (1 + 3/4 (sigma / h)^2), as measured.
         let mut spacing = raw;
         for _ in 0..8 {
             spacing = raw / (1.0 + 0.75 * (noise / spacing).powi(2).min(1.0));
@@ -55,13 +55,13 @@ impl Resolution {
         Resolution { spacing, noise }
     }
 
-    /// The length below which nothing can be told: the spacing, or twice the noise if that is more.
+    /// The length below which no detail can be resolved: the spacing, or twice the noise if that is more.
     pub fn unit(&self) -> f64 {
         self.spacing.max(2.0 * self.noise)
     }
 }
 
-/// The mean of the values but those beyond [`STRAY`] times their median: one far point may not make a cloud coarse.
+/// The mean of the values up to [`STRAY`] times their median, so that one far point cannot make a cloud coarse.
 fn mean_without_strays(values: &[f64]) -> f64 {
     if values.is_empty() {
         return 0.0;
@@ -71,7 +71,7 @@ fn mean_without_strays(values: &[f64]) -> f64 {
     sum / f64::from(count)
 }
 
-/// The six nearest: a ring on a surface.
+/// The six nearest neighbours: a ring on a surface.
 fn six(nearest: &[u32]) -> &[u32] {
     &nearest[..nearest.len().min(6)]
 }
@@ -86,7 +86,7 @@ fn wide_noise(points: &[[f64; 3]], graph: &Neighbors, chosen: &[usize]) -> Optio
     })
 }
 
-/// The [`QUANTILE`] of the plane residuals over `scale`, unbiased for the three parameters of the plane; `None` if the
+/// The [`QUANTILE`] of the plane residuals divided by `scale`, corrected for the three parameters of the plane; `None` if the
 /// neighbourhoods are not flat.
 fn flat_residual(points: &[[f64; 3]], sets: Vec<(usize, Vec<u32>)>, scale: f64) -> Option<f64> {
     let fits: Vec<(f64, f64)> = sets

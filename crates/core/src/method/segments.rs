@@ -12,13 +12,13 @@ use crate::prepare::Prepared;
 /// The steps of the method `segments`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ClusterStages {
-    /// Clusters of points, and the time that it took to find them.
+    /// Clusters of points, with the times of the steps.
     pub segmented: Segmented,
     /// The graph after each step.
     pub graphs: Vec<GraphStage>,
 }
 
-/// What is measured before the segmentation: as printed the borders alone, in the robust form all penalties.
+/// The measure before the segmentation: as printed the borders alone, in the robust form all penalties.
 pub(super) fn detect(cloud: &Prepared, params: &Params) -> Measure {
     let Prepared { positions, graph, resolution, .. } = cloud;
     match params.segments.form {
@@ -31,7 +31,7 @@ pub(super) fn detect(cloud: &Prepared, params: &Params) -> Measure {
     }
 }
 
-/// Segments the cloud and links over the clusters.
+/// Segments the cloud and links the clusters.
 pub(super) fn link(
     cloud: &Prepared,
     measure: &mut Measure,

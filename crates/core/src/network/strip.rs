@@ -1,4 +1,4 @@
-//! One line of a network.
+//! Strips: the lines of a network.
 
 use crate::curve::BSpline;
 use crate::math::vec3::distance;
@@ -16,21 +16,21 @@ pub struct Strip {
     pub end: Option<u32>,
     /// `(M, 3)` f64 points on the curve, in order; the first and the last lie on the nodes.
     pub points: Vec<[f64; 3]>,
-    /// The fitted curve that `points` were taken from.
+    /// The fitted curve, from which `points` were taken.
     pub curve: BSpline,
-    /// Points of the cloud that the pattern ran through, in order, as indices into the input.
+    /// Points of the cloud along the strip, in order, as indices into the input.
     pub sources: Vec<u32>,
     /// Root mean square distance of the source points from the curve, in the unit of the input.
     pub deviation: f64,
-    /// Mean angle between the faces along a crease, degrees; `None` for borders and where the detector does not measure it.
+    /// Mean angle between the faces along a crease, degrees; `None` for borders and if the detector does not measure it.
     pub fold_deg: Option<f64>,
-    /// Mean evidence that the line is sharp rather than round, in variances of the noise; `None` where it is not measured.
+    /// Mean evidence that the line is sharp rather than round, in variances of the noise; `None` if it is not measured.
     pub evidence: Option<f64>,
-    /// How certain the line is, from 0 (chance) to 1: one minus the mean penalty share along it.
+    /// Confidence in the line, from 0 (chance) to 1: one minus the mean penalty share along it.
     pub confidence: f64,
 }
 
-/// Whether faces meet at a strip or the surface ends there.
+/// The kind of a strip: crease or border.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum StripKind {
     /// Two faces meet.

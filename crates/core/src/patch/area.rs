@@ -1,5 +1,4 @@
-//! The area that each point stands for: its Voronoi cell in its tangent plane among the points of its patch, cut off at the
-//! strips beside it.
+//! The area of each point: its Voronoi cell in its tangent plane among the points of its patch, cut off at the strips beside it.
 
 use super::beside::Beside;
 use super::ground::{Ground, NO_PATCH};
@@ -7,7 +6,7 @@ use super::stations::Stations;
 use crate::math::vec3::{cross, distance, dot, perpendicular, sub, unit};
 use rayon::prelude::*;
 
-/// The polygon that a cell is clipped from: cosine and sine of multiples of 30 degrees.
+/// The polygon from which a cell is clipped: cosine and sine of multiples of 30 degrees.
 const AROUND: [[f64; 2]; 12] = {
     const C: f64 = 0.866_025_403_784_438_6;
     [
@@ -25,10 +24,10 @@ const AROUND: [[f64; 2]; 12] = {
         [C, -0.5],
     ]
 };
-/// Greatest reach of a cell into empty space, in mean distances to the direct neighbours.
+/// Greatest reach of a cell into empty space, in units of the mean distance to the direct neighbours.
 const OPEN: f64 = 0.95;
 
-/// `(M)` area of each point in square units of the local frame, zero without a patch.
+/// `(M)` area of each point, squared unit of the local frame; zero for points without a patch.
 pub fn areas(ground: &Ground, label: &[u32], stations: &Stations, beside: &Beside) -> Vec<f64> {
     (0..label.len())
         .into_par_iter()
@@ -64,7 +63,7 @@ fn cell(
     for entry in beside.of(i) {
         let station = &stations.all[entry.station as usize];
         let (d, t) = (flat(sub(station.position, ground.points[i])), flat(station.tangent));
-        // The line of the strip in the plane, at right angles to the way to it.
+        // The line of the strip in the plane, at right angles to the direction towards it.
         let length2 = t[0] * t[0] + t[1] * t[1];
         if length2 > 0.25 {
             let along = (d[0] * t[0] + d[1] * t[1]) / length2;
@@ -75,7 +74,7 @@ fn cell(
     area(corners)
 }
 
-/// Keeps what lies where `x . q <= offset`.
+/// Clips the polygon to the half-plane `x . q <= offset`.
 fn clip(corners: &mut Vec<[f64; 2]>, next: &mut Vec<[f64; 2]>, q: [f64; 2], offset: f64) {
     let beyond = |c: [f64; 2]| c[0] * q[0] + c[1] * q[1] - offset;
     if corners.iter().all(|&c| beyond(c) <= 0.0) {

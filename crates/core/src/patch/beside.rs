@@ -1,9 +1,9 @@
-//! Which points lie beside a strip, and on which side of it.
+//! The points beside each strip, and the side of it on which they lie.
 //!
 //! In the cross-section of a strip the surface leaves it in two directions: two half-lines, at any angle to each other. They
-//! are found as the two places where the points of a short window of the strip gather, by kernel density and then 2-means on
-//! the circle, weighted by how well a point's distance lets it tell a direction. A point is on the side whose half-line is
-//! nearer. A border, or a strip with points on one side only, has one half-line.
+//! are found where the directions of the points in a short window of the strip gather, by kernel density and then 2-means on
+//! the circle; points near the strip have less weight, as their directions are less certain. A point is on the side whose
+//! half-line is nearer. A border, or a strip with points on one side only, has one half-line.
 
 use super::ground::Ground;
 use super::stations::{Station, Stations};
@@ -11,20 +11,20 @@ use crate::math::vec3::{add_scaled, distance, dot, norm, sub};
 use crate::neighbors::Index;
 use rayon::prelude::*;
 
-/// How far points count as beside a strip, spacings; and as far as the longest edge of the point, so that no edge can cross a
-/// strip unseen.
+/// Greatest distance of points beside a strip, spacings; or the length of the point's longest edge if that is more, so that no
+/// edge can cross a strip unnoticed.
 const BESIDE: f64 = 3.0;
-/// Points nearer to the strip than this, spacings, and twice the noise more, do not say on which side they are.
+/// Distance from the strip up to which the side of a point is uncertain, spacings; plus twice the noise.
 pub const SEAM: f64 = 0.4;
-/// How far beyond the end of a strip a point still counts as beside it, spacings: nothing may pass between two strips.
+/// Greatest distance of points beside a strip beyond its end, spacings: no edge may pass between two strips.
 const BEYOND: f64 = 1.0;
-/// Stations before and after that a station takes points from.
+/// Number of stations on either side of a station from which it takes points.
 const WINDOW: usize = 6;
-/// Greatest number of points that the directions at a station are found from.
+/// Greatest number of points from which the directions at a station are found.
 const DIRECTION_POINTS: usize = 96;
 /// Half the angle of the kernel, and the least angle between the two sides.
 const KERNEL_DEG: f64 = 25.0;
-/// A side counts if it has at least this share of the density of the other.
+/// Least density of a side that counts, as a share of that of the other.
 const SIDE_SHARE: f64 = 0.12;
 
 /// A point beside a strip.
@@ -44,12 +44,12 @@ pub struct Entry {
     pub side: u8,
 }
 
-/// For each point the strips that it lies beside.
+/// The strips beside each point.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Beside {
     first: Vec<u32>,
     entries: Vec<Entry>,
-    /// Distance within which a point does not say on which side it is.
+    /// Distance up to which the side of a point is uncertain.
     pub seam: f64,
 }
 
@@ -59,7 +59,7 @@ impl Beside {
         &self.entries[self.first[i] as usize..self.first[i + 1] as usize]
     }
 
-    /// Distance from the nearest strip that the point lies beside; infinite without any.
+    /// Distance from the nearest strip beside the point; infinite if there is none.
     pub fn clearance(&self, i: usize) -> f64 {
         self.of(i).iter().map(|e| e.distance).fold(f64::INFINITY, f64::min)
     }
@@ -120,7 +120,7 @@ fn entries(all: &[Station], p: [f64; 3], near: &[(u32, f64, u32)], beyond: f64) 
                 strip,
                 station,
                 offset: at.across.map(|e| dot(u, e)),
-                // Beyond an end the strip itself is farther than the line it lies on.
+                // Beyond an end the strip itself is farther away than its tangent.
                 distance: if along * at.end > 0.0 { norm(d) } else { norm(u) },
                 nearest: false,
                 side: 0,
@@ -132,7 +132,7 @@ fn entries(all: &[Station], p: [f64; 3], near: &[(u32, f64, u32)], beyond: f64) 
     entries
 }
 
-/// Fills in `leaves` at all stations. Offsets shorter than `short` count less, as noise turns them.
+/// Fills in `leaves` at all stations. Offsets shorter than `short` have less weight, as noise turns them.
 fn directions(stations: &mut Stations, beside: &Beside, short: f64) {
     let mut at: Vec<Vec<([f64; 2], f64)>> = vec![Vec::new(); stations.all.len()];
     for entry in beside.entries.iter().filter(|e| e.nearest && e.distance > 0.0) {
@@ -188,7 +188,7 @@ fn two(window: &[([f64; 2], f64)], border: bool) -> [Option<[f64; 2]>; 2] {
         let mut sums = [[0.0; 2]; 2];
         for (d, w) in &some {
             let [p, q] = sides.map(|s| inner(s, *d));
-            // What lies far from both, such as another sheet, pulls at neither.
+            // Points far from both, such as those of another sheet, are left out.
             if p.max(q) > 0.5 {
                 let sum = &mut sums[usize::from(q > p)];
                 *sum = [sum[0] + w * d[0], sum[1] + w * d[1]];
@@ -204,7 +204,7 @@ fn two(window: &[([f64; 2], f64)], border: bool) -> [Option<[f64; 2]>; 2] {
     sides.map(Some)
 }
 
-/// The directions in the order of those before; what is missing is carried on.
+/// The directions in the order of the previous ones; a missing one is taken from them.
 fn ordered(found: [Option<[f64; 2]>; 2], before: [Option<[f64; 2]>; 2]) -> [Option<[f64; 2]>; 2] {
     let agree = |a: Option<[f64; 2]>, b: Option<[f64; 2]>| match (a, b) {
         (Some(a), Some(b)) => a[0] * b[0] + a[1] * b[1],

@@ -1,4 +1,4 @@
-//! The steps that find patches, one after the other.
+//! Finds the patches of a network, step by step.
 
 use super::ground::{Ground, NO_PATCH};
 use super::patches::{Patch, Patches};
@@ -6,7 +6,7 @@ use super::sides::Sides;
 use super::{area, beside, fit, flood, loops, orient, sides, stations};
 use crate::network::Network;
 
-/// The patches that the strips of `network` bound. Everything in the local frame.
+/// The patches bounded by the strips of `network`, all in the local frame.
 pub(crate) fn patches(ground: &Ground, network: &Network) -> Patches {
     let stations = stations::stations(network, ground.resolution);
     let (stations, beside) = beside::beside(ground, stations);
@@ -37,7 +37,7 @@ fn members(label: &[u32], count: usize) -> Vec<Vec<u32>> {
     members
 }
 
-/// The patches on the other sides of the strips of patch `p`.
+/// The patches across the strips of patch `p`.
 fn across(sides: &[Sides], p: u32) -> Vec<u32> {
     let other = |s: &Sides| match (s.left, s.right) {
         (Some(a), Some(b)) if a == p && b != p => Some(b),

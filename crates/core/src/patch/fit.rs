@@ -1,8 +1,8 @@
-//! A first surface for each patch: plane, sphere, cylinder, cone or torus, and what is left over.
+//! Fits a surface to each patch: plane, sphere, cylinder, cone or torus, with its residual.
 //!
 //! Each kind is started from points and normals (`start`) and refined to the least sum of squared distances (`refine`). The kind
 //! is chosen by the Bayesian information criterion (G. Schwarz, "Estimating the dimension of a model", Annals of Statistics
-//! 6, 1978): a further parameter has to pay for itself. Residuals below a share of the spacing are taken as equal.
+//! 6, 1978), which weighs the residual against the number of parameters. Residuals below a share of the spacing count as equal.
 
 mod refine;
 mod start;
@@ -14,15 +14,15 @@ use super::beside::Beside;
 use super::ground::Ground;
 use rayon::prelude::*;
 
-/// Greatest number of points that a surface is fitted to.
+/// Greatest number of points to which a surface is fitted.
 const FITTED_POINTS: usize = 800;
-/// Points nearer to a strip than this, spacings, are left out where enough others are there.
+/// Distance from a strip up to which points are left out if there are enough others, spacings.
 const CLEAR_OF_STRIPS: f64 = 0.8;
-/// Fewest points clear of strips that a fit makes do with.
+/// Fewest points clear of strips that suffice for a fit.
 const FEWEST_CLEAR: usize = 24;
-/// Residual that makes no difference, spacings: the edge of what a scan can tell.
+/// Residual below which fits count as equally good, spacings: a scan resolves no less.
 const FLOOR: f64 = 0.03;
-/// A patch is free-form where the best surface leaves this many spacings, and twice the noise more.
+/// Residual of the best surface above which a patch is free-form, spacings; plus twice the noise.
 const FREE: f64 = 0.15;
 
 /// The best surface of each patch. `normals` point outwards; local frame.

@@ -1,4 +1,4 @@
-//! Components of the neighbour graph that no strip crosses.
+//! Floods the neighbour graph into components that no strip crosses.
 
 use super::beside::{Beside, Entry};
 use super::ground::{Ground, NO_PATCH};
@@ -6,15 +6,15 @@ use crate::math::union_find::UnionFind;
 use crate::math::vec3::{dot, norm, sub};
 use rayon::prelude::*;
 
-/// Fewer points than this are no patch of their own.
+/// Fewest points of a patch.
 const FEWEST_POINTS: u32 = 6;
-/// Where no strip is nearer than this, spacings, nothing is narrow.
+/// Distance from all strips above which a place is not narrow, spacings.
 const NOT_NARROW: f64 = 0.8;
-/// Regions join at a place that one of them is at most this many times as wide as.
+/// Regions join at a place if one of them is at most this many times as wide as the place.
 const WAIST: f64 = 2.0;
-/// Faces wider than this times that are all the same.
+/// Multiple of [`NOT_NARROW`] above which widths count as equal.
 const WIDTH_CAP: f64 = 4.0;
-/// Sine of the angle to the surface beyond which an edge leaves it.
+/// Sine of the angle to the surface above which an edge leaves it.
 const OFF_SURFACE: f64 = 0.6;
 /// Rounds in which points on the seams join the patch beside them.
 const ROUNDS: usize = 8;
@@ -42,8 +42,9 @@ pub fn flood(ground: &Ground, beside: &Beside) -> Vec<u32> {
     label
 }
 
-/// Joins what no strip parts, from the middle of the faces to the strips. What has grown wide on both sides of a place is not
-/// joined there if that place is narrow: one point that a strip's bend or end puts on the wrong side would join two faces.
+/// Joins points that no strip separates, from the middle of the faces to the strips. Two regions that are wide on both sides of
+/// a narrow place are not joined there: otherwise a single point on the wrong side, at a bend or an end of a strip, would join
+/// two faces.
 fn joined(ground: &Ground, beside: &Beside, seam: &[bool]) -> UnionFind {
     let count = ground.points.len();
     let wide = NOT_NARROW * ground.resolution.unit();
@@ -80,7 +81,7 @@ fn joined(ground: &Ground, beside: &Beside, seam: &[bool]) -> UnionFind {
     sets
 }
 
-/// Whether two points lie on different sheets: the way from one to the other leaves the surface at both.
+/// Whether two points lie on different sheets: the line between them leaves the surface at both.
 fn through(ground: &Ground, i: usize, j: usize) -> bool {
     let way = sub(ground.points[j], ground.points[i]);
     let off = [i, j].map(|k| dot(ground.normals[k].map(f64::from), way).abs());
@@ -92,7 +93,7 @@ fn crosses(a: &[Entry], b: &[Entry]) -> bool {
     a.iter().any(|e| b.iter().any(|f| e.strip == f.strip && e.side != f.side))
 }
 
-/// Gives each point without a patch that of the neighbour in whose tangent plane it lies best, from the patches outwards.
+/// Gives each point without a patch that of the neighbour with the nearest tangent plane, from the patches outwards.
 fn spread(ground: &Ground, beside: &Beside, label: &mut [u32]) {
     for _ in 0..ROUNDS {
         let taken: Vec<(usize, u32)> = (0..label.len())

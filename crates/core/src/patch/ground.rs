@@ -1,9 +1,9 @@
-//! What the patches are found from.
+//! The ground: the cloud on which patches are found.
 
 use crate::neighbors::Neighbors;
 use crate::resolution::Resolution;
 
-/// A point that belongs to no patch.
+/// The label of a point in no patch.
 pub const NO_PATCH: u32 = u32::MAX;
 
 /// A cloud: points in canonical order, local frame.

@@ -1,8 +1,8 @@
 //! The boundary loops of each patch.
 //!
-//! A strip with two patches gives each of them a half-edge that has it on its left, seen from outside. From the end of one the
-//! next begins in the same node: of several the first one clockwise from the way back, which keeps what lies between to the
-//! left.
+//! A strip between two patches gives each of them a half-edge with the patch on its left, seen from outside. The next half-edge
+//! begins in the node where the last one ends: among several, the first one clockwise from the way back, so that the region
+//! between lies to the left.
 
 use super::sides::Sides;
 use crate::math::vec3::{add, add_scaled, cross, dot, norm, scale, sub, unit};
@@ -17,19 +17,19 @@ pub struct Coedge {
     pub forward: bool,
 }
 
-/// A line round a patch, which lies to its left as seen from outside.
+/// A boundary loop of a patch, which lies to its left as seen from outside.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Loop {
     /// The strips in order.
     pub coedges: Vec<Coedge>,
     /// Whether the last one ends where the first begins.
     pub closed: bool,
-    /// Whether it is the outer boundary rather than that of a hole. A surface that closes round on itself, such as the side of
-    /// a cylinder, has no outer boundary by nature: there it is the longest loop.
+    /// Whether it is the outer boundary rather than that of a hole. A surface that closes on itself, such as the side of a
+    /// cylinder, has no outer boundary by nature; its longest loop counts as outer.
     pub outer: bool,
 }
 
-/// The loops of all patches, each with its outer one first. `normals` point outwards.
+/// The loops of all patches, the outer loop of each first. `normals` point outwards.
 pub fn loops(
     network: &Network,
     sides: &[Sides],
@@ -51,11 +51,11 @@ pub fn loops(
     coedges.into_iter().enumerate().map(|(p, coedges)| of(network, coedges, up(p))).collect()
 }
 
-/// The loops that some half-edges form.
+/// The loops formed by half-edges.
 fn of(network: &Network, coedges: Vec<Coedge>, up: [f64; 3]) -> Vec<Loop> {
     let mut free = vec![true; coedges.len()];
     let mut loops = Vec::new();
-    // Those that nothing leads up to begin first: an open chain is walked from its start.
+    // Half-edges without a predecessor come first, so that an open chain is walked from its start.
     let starts = |c: &Coedge| ends(network, *c).map(|e| e[0]);
     let stops = |c: &Coedge| ends(network, *c).map(|e| e[1]);
     let fed = |c: &Coedge| starts(c).is_none_or(|v| coedges.iter().any(|d| stops(d) == Some(v)));
@@ -109,7 +109,7 @@ fn next(network: &Network, all: &[Coedge], c: usize, onward: &[usize], up: [f64;
     onward.iter().copied().min_by(|a, b| turn(a).total_cmp(&turn(b)).then(a.cmp(b)))
 }
 
-/// Points looked ahead for the direction of a strip at a node.
+/// Number of points that give the direction of a strip at a node.
 const AHEAD: usize = 6;
 
 /// Unit direction in which a half-edge leaves its first node.
@@ -124,7 +124,7 @@ fn leaving(network: &Network, c: Coedge) -> [f64; 3] {
     }
 }
 
-/// Puts the outer loop first and marks it: the one that turns left round most area, seen against `up`, or else the longest.
+/// Puts the outer loop first and marks it: the loop with the greatest area to its left, seen against `up`, or else the longest.
 fn outer_first(network: &Network, loops: &mut [Loop], up: [f64; 3]) {
     let flat = norm(up) > 0.5;
     let size = |l: &Loop| {

@@ -1,10 +1,10 @@
-//! Normals that point outwards.
+//! Orients normals outwards.
 //!
-//! Within a patch signs pass over the edges of the neighbour graph, the most parallel normals first (H. Hoppe et al.,
-//! "Surface reconstruction from unorganized points", SIGGRAPH 1992, section 3.3). A patch has no folds, so nothing can go
-//! wrong there that does not go wrong at once. Across a strip the two half-planes decide: on one and the same side of the
-//! surface both normals see the other face below their own plane (convex) or both above it (concave). Each connected part is
-//! then turned so that it encloses a positive volume; of an open sheet that is the side away from its centre.
+//! Within a patch signs are passed over the edges of the neighbour graph, the most parallel normals first (H. Hoppe et al.,
+//! "Surface reconstruction from unorganized points", SIGGRAPH 1992, section 3.3); this is safe, as a patch has no folds. Across
+//! a strip the two half-planes decide: normals on the same side of the surface have the other face both below their own plane
+//! (convex) or both above it (concave). Each connected part is then turned so that it encloses a positive volume; normals of
+//! an open sheet point away from its centre.
 
 use super::beside::Beside;
 use super::ground::{Ground, NO_PATCH};
@@ -46,7 +46,7 @@ impl Signed {
     }
 }
 
-/// `(M, 3)` outward normals; those of points without a patch are zero.
+/// `(M, 3)` outward normals; zero for points without a patch.
 pub fn outward(
     ground: &Ground,
     label: &[u32],
@@ -73,7 +73,7 @@ pub fn outward(
     normals
 }
 
-/// Normals with one sign within each patch.
+/// The normals, with consistent signs within each patch.
 fn within(ground: &Ground, label: &[u32]) -> Vec<[f64; 3]> {
     let normal = |i: usize| ground.normals[i].map(f64::from);
     let mut edges: Vec<(u16, u32, u32)> = Vec::new();
@@ -95,7 +95,7 @@ fn within(ground: &Ground, label: &[u32]) -> Vec<[f64; 3]> {
     (0..label.len()).map(signed).collect()
 }
 
-/// For each strip between two patches how surely their normals agree in sign (positive) or not.
+/// For each strip between two patches, the certainty that their normals agree in sign (positive) or differ (negative).
 fn links(label: &[u32], normals: &[[f64; 3]], stations: &Stations, beside: &Beside) -> Vec<(f64, u32, u32)> {
     let sums = sums(label, normals, stations, beside);
     let mut links: Vec<(f64, u32, u32)> = Vec::new();
@@ -105,7 +105,7 @@ fn links(label: &[u32], normals: &[[f64; 3]], stations: &Stations, beside: &Besi
             continue;
         }
         let [Some(p), Some(q)] = station.leaves.map(|l| l.map(|l| in_space(station, l))) else { continue };
-        // Folds tell by how far each face leaves the plane of the other, flat ones by the normals themselves.
+        // At a fold each face's position relative to the plane of the other decides, at a flat strip the normals themselves.
         let fold = dot(n, q) * dot(m, p);
         let flat = dot(n, m) * dot(p, q).min(0.0).powi(2);
         links.push((fold + 0.25 * flat, a.min(b), a.max(b)));
@@ -123,12 +123,12 @@ type Vote = (u32, u32, f64);
 /// A patch beside a station, and its mean normal there.
 pub type Side = (Option<u32>, [f64; 3]);
 
-/// At each station and side the patch of most points and their mean normal.
+/// The patch of most points at each station and side, with their mean normal.
 pub fn sums(label: &[u32], normals: &[[f64; 3]], stations: &Stations, beside: &Beside) -> Vec<[Side; 2]> {
     let mut votes: Vec<[Vec<Vote>; 2]> = vec![Default::default(); stations.all.len()];
     for i in (0..label.len()).filter(|&i| label[i] != NO_PATCH) {
         for entry in beside.of(i).iter().filter(|e| e.distance >= beside.seam) {
-            // Normals close to a fold lean over it, and what is nearer to another strip counts only where there is nothing else.
+            // Normals close to a fold lean over it; points nearer to another strip count only where there are no others.
             let weight = entry.distance.powi(2) * if entry.nearest { 1.0 } else { 1e-6 };
             votes[entry.station as usize][usize::from(entry.side)].push((label[i], i as u32, weight));
         }
@@ -158,7 +158,7 @@ pub fn in_space(station: &Station, leave: [f64; 2]) -> [f64; 3] {
     add_scaled(scale(station.across[0], leave[0]), station.across[1], leave[1])
 }
 
-/// For each part, by its root, whether it encloses a negative volume.
+/// Whether each part, at the index of its root, encloses a negative volume.
 fn inward(
     ground: &Ground,
     label: &[u32],

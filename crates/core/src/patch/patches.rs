@@ -1,36 +1,36 @@
-//! The patches of a cloud, as they are handed out.
+//! The patches of a cloud: the result.
 
 use super::fit::Fit;
 use super::loops::{Coedge, Loop};
 use super::sides::Sides;
 use crate::frame::Frame;
 
-/// The patches of a cloud and how they hang together.
+/// The patches of a cloud and their adjacency.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Patches {
-    /// `(M)` the patch of each point, [`NO_PATCH`](super::NO_PATCH) for none. Canonical order; [`Extraction::patch_labels`] gives that of the
-    /// input.
+    /// `(M)` patch of each point, [`NO_PATCH`](super::NO_PATCH) for none; canonical order. [`Extraction::patch_labels`] has them
+    /// in the order of the input.
     ///
     /// [`Extraction::patch_labels`]: crate::Extraction::patch_labels
     pub label: Vec<u32>,
     /// The patches, in the order of their first point.
     pub patches: Vec<Patch>,
-    /// `(S)` for each strip of the network what lies beside it.
+    /// `(S)` sides of each strip of the network.
     pub sides: Vec<Sides>,
 }
 
 /// A smooth region of the surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Patch {
-    /// Its boundary: the outer loop first, then the holes. Empty for a surface without any, such as a whole sphere.
+    /// Its boundary: the outer loop first, then the holes. Empty for a surface without boundary, such as a whole sphere.
     pub loops: Vec<Loop>,
     /// Patches across the strips of its boundary, ascending.
     pub neighbors: Vec<u32>,
     /// The number of points.
     pub points: usize,
-    /// Area in the squared unit of the input: that of the Voronoi cells of its points, which end at the strips.
+    /// Area in the squared unit of the input: the sum of the Voronoi cells of its points, which end at the strips.
     pub area: f64,
-    /// The surface that suits the points best.
+    /// The surface that fits the points best.
     pub fit: Fit,
 }
 
@@ -40,7 +40,7 @@ impl Patches {
         self.sides.iter().filter(|s| s.left.is_some() && s.right.is_some() && s.left != s.right).count()
     }
 
-    /// Lengths, places and areas from the local frame to the world.
+    /// The patches in the world frame: lengths, places and areas.
     pub(crate) fn placed(mut self, frame: &Frame) -> Patches {
         let unit = frame.length_to_world(1.0);
         for patch in &mut self.patches {
@@ -50,7 +50,7 @@ impl Patches {
         self
     }
 
-    /// What remains when only some strips `stay`, numbered anew.
+    /// The patches with only those strips that `stay`, numbered anew.
     pub(crate) fn of_strips(mut self, stay: &[bool]) -> Patches {
         if stay.iter().all(|&s| s) {
             return self;

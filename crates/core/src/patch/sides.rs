@@ -1,4 +1,4 @@
-//! What lies left and right of each strip.
+//! The sides of each strip: the patches to its left and right, and the fold between them.
 
 use super::beside::Beside;
 use super::fit::Fit;
@@ -10,11 +10,11 @@ use crate::network::{Network, StripKind};
 /// The patches beside a strip and how they meet.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sides {
-    /// The patch on the left of one who walks along the strip on the outside of the surface; `None` where it ends.
+    /// The patch on the left when walking along the strip on the outside of the surface; `None` if the surface ends there.
     pub left: Option<u32>,
     /// The patch on the right.
     pub right: Option<u32>,
-    /// Angle between the outward normals of both patches at the strip, degrees, the mean along it; `None` at a border.
+    /// Mean angle between the outward normals of both patches along the strip, degrees; `None` at a border.
     pub fold_deg: Option<f64>,
     /// Whether the solid fills less than half of the space around the strip; `None` at a border.
     pub convex: Option<bool>,
@@ -68,7 +68,7 @@ fn of(stations: &[Station], sums: &[[Side; 2]], border: bool, fits: &[Fit]) -> S
     }
 }
 
-/// The normal of the patch's surface at a place, which no fold has bent; the measured one where the patch is free-form.
+/// The normal of the patch's fitted surface at a place, which leans over no fold; the measured normal if the patch is free-form.
 fn on_surface(fits: &[Fit], patch: Option<u32>, measured: [f64; 3], at: [f64; 3]) -> [f64; 3] {
     let Some(fit) = patch.map(|p| &fits[p as usize]).filter(|f| !f.free) else { return measured };
     let normal = fit.surface.normal(at);

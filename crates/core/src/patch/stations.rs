@@ -1,4 +1,4 @@
-//! Stations along the strips: place, tangent and a frame that turns as little as it can.
+//! Stations along the strips: place, tangent and a rotation-minimizing frame.
 //!
 //! The frame is W. Wang, B. Jüttler, D. Zheng and Y. Liu's double reflection ("Computation of rotation minimizing frames", ACM
 //! Transactions on Graphics 27, 2008, section 3): directions across a strip can be compared from station to station in it.
@@ -9,11 +9,11 @@ use crate::resolution::Resolution;
 
 /// Greatest distance between stations, spacings.
 const STATION_STEP: f64 = 0.6;
-/// Stations for each source of a strip beyond which they lie farther apart: points of two scales can make a strip of any number
-/// of spacings, and of as many points. Links between points of one scale are less than half as long.
+/// Greatest number of stations for each source of a strip, beyond which they lie farther apart: in a cloud of two scales a strip
+/// can have any number of spacings. Links between points of one scale need less than half as many.
 const STATIONS_A_SOURCE: usize = 64;
 
-/// A place on a strip.
+/// A station: a place on a strip with its frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station {
     /// The strip that it lies on.
@@ -24,7 +24,7 @@ pub struct Station {
     pub tangent: [f64; 3],
     /// Unit vectors across the strip, at right angles to each other and the tangent.
     pub across: [[f64; 3]; 2],
-    /// How far beyond the strip's own end a point may lie: zero within it, else `-1.0` before the start, `1.0` at the end.
+    /// The end of the strip at this station: `-1.0` at its start, `1.0` at its end, zero within it.
     pub end: f64,
     /// Unit directions in `across` coordinates in which the surface leaves the strip; the second is `None` at a border.
     pub leaves: [Option<[f64; 2]>; 2],
@@ -35,7 +35,7 @@ pub struct Station {
 pub struct Stations {
     /// All stations.
     pub all: Vec<Station>,
-    /// `(S + 1)` where those of each strip begin.
+    /// `(S + 1)` index of the first station of each strip, and their number.
     pub first: Vec<usize>,
     /// `(S)` whether the strip is a border.
     pub border: Vec<bool>,
@@ -48,7 +48,7 @@ impl Stations {
     }
 }
 
-/// Stations at the points of each strip and between them where these lie far apart.
+/// Stations at the points of each strip, and between points that are far apart.
 pub fn stations(network: &Network, resolution: Resolution) -> Stations {
     let mut stations = Stations { first: vec![0], ..Default::default() };
     for (s, strip) in network.strips.iter().enumerate() {
@@ -81,8 +81,8 @@ fn append(all: &mut Vec<Station>, number: u32, strip: &Strip, step: f64) {
     }
 }
 
-/// The points of a strip, the closing segment of a loop included, none farther than `step` from the next where
-/// [`STATIONS_A_SOURCE`] allows it.
+/// Points along a strip, including the closing segment of a loop, no farther than `step` apart as far as [`STATIONS_A_SOURCE`]
+/// allows.
 fn places(strip: &Strip, step: f64) -> Vec<[f64; 3]> {
     let most = STATIONS_A_SOURCE * strip.sources.len().max(2);
     let points = thinned(strip, most);
@@ -103,7 +103,7 @@ fn places(strip: &Strip, step: f64) -> Vec<[f64; 3]> {
     places
 }
 
-/// About `most` points of a strip, its ends among them; all of them where they are no more.
+/// About `most` points of a strip, including its ends; all points if there are no more.
 fn thinned(strip: &Strip, most: usize) -> Vec<[f64; 3]> {
     let every = strip.points.len().div_ceil(most).max(1);
     let mut points: Vec<_> = strip.points.iter().copied().step_by(every).collect();
@@ -117,7 +117,7 @@ fn start(tangent: [f64; 3]) -> [[f64; 3]; 2] {
     [first, cross(tangent, first)]
 }
 
-/// The frame of the station before, reflected in the plane between both places, then in that between both tangents.
+/// The frame of the previous station, reflected in the plane between both places, then in the plane between both tangents.
 fn reflected(from: &Station, to: [f64; 3], tangent: [f64; 3]) -> [[f64; 3]; 2] {
     let mirror = |x: [f64; 3], axis: [f64; 3]| {
         let square = dot(axis, axis);
@@ -126,7 +126,7 @@ fn reflected(from: &Station, to: [f64; 3], tangent: [f64; 3]) -> [[f64; 3]; 2] {
     let step = sub(to, from.position);
     let (side, along) = (mirror(from.across[0], step), mirror(from.tangent, step));
     let side = mirror(side, sub(tangent, along));
-    // Rounding is taken out, so that it cannot add up along a long strip.
+    // The frame is made orthonormal again, so that rounding cannot add up along a long strip.
     let side = add_scaled(side, tangent, -dot(side, tangent));
     let length = norm(side);
     if length > 0.5 {

@@ -1,4 +1,4 @@
-//! The graph of one kind of line: vertices with what is known of each, and the edges between them.
+//! The graph of one kind of line: vertices with their properties, and the edges between them.
 
 use crate::math::vec3::{add_scaled, distance, sub};
 use crate::measure::Evidence;
@@ -6,19 +6,19 @@ use crate::measure::Evidence;
 /// A graph on some of the points of the cloud.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LineGraph {
-    /// `(V)` the point of the cloud that each vertex is or lies nearest to.
+    /// `(V)` point of the cloud for each vertex: the point itself or the nearest one.
     pub points: Vec<u32>,
-    /// `(V, 3)` where the vertex lies, which need not be where its point lies.
+    /// `(V, 3)` position of each vertex, which may differ from that of its point.
     pub positions: Vec<[f64; 3]>,
-    /// `(V)` penalty of each vertex, 0 to 1; `None` where a linker has no penalties.
+    /// `(V)` penalty of each vertex, 0 to 1; `None` from a linker without penalties.
     pub penalty: Vec<Option<f32>>,
-    /// `(V)` how little a direction is preferred at the vertex: 0 at a corner, 1 on a line.
+    /// `(V)` preference of a direction at each vertex: 0 at a corner, 1 on a line.
     pub corner: Vec<f32>,
-    /// `(V)` what the cross-sections of all points show that the vertex stands for; `None` where none was taken.
+    /// `(V)` evidence of the cross-sections at all points of the vertex; `None` where none was taken.
     pub evidence: Vec<Option<Evidence>>,
     /// `(V)` neighbours of each vertex in the graph, ascending.
     pub edges: Vec<Vec<u32>>,
-    /// Vertices that are nodes though only two lines meet in them: corners, and what the other pattern meets there.
+    /// Vertices that are nodes though only two edges meet in them: corners, and places where the other pattern ends.
     pub nodes: Vec<u32>,
 }
 
@@ -38,12 +38,12 @@ impl LineGraph {
         }
     }
 
-    /// A new vertex of `point` at `position` of which nothing else is known.
+    /// Adds a vertex of `point` at `position`, without further properties.
     pub fn push_vertex(&mut self, point: u32, position: [f64; 3]) -> u32 {
         self.push(point, position, Some(1.0), 1.0)
     }
 
-    /// A new vertex at `position`, otherwise like `model` but without evidence of its own.
+    /// Adds a vertex at `position`, otherwise like `model` but without evidence.
     pub fn add_vertex(&mut self, model: u32, position: [f64; 3]) -> u32 {
         let m = model as usize;
         self.push(self.points[m], position, self.penalty[m], self.corner[m])
@@ -59,7 +59,7 @@ impl LineGraph {
         (self.edges.len() - 1) as u32
     }
 
-    /// Length of the strip from a loose `end` to the next vertex that is not within a strip.
+    /// Length of the strip from a loose `end` to the next vertex with one edge or more than two.
     pub fn strip_length(&self, end: u32) -> f64 {
         let (mut before, mut at) = (end, self.edges[end as usize][0]);
         let step = |a: u32, b: u32| distance(self.positions[a as usize], self.positions[b as usize]);
@@ -75,7 +75,7 @@ impl LineGraph {
         length
     }
 
-    /// `(V)` whether strips end at the vertex: where one, three or more lines meet, and at the `nodes`.
+    /// `(V)` whether strips end at each vertex: where one, three or more edges meet, and at the `nodes`.
     pub fn is_node(&self) -> Vec<bool> {
         let mut is_node: Vec<bool> = self.edges.iter().map(|e| !matches!(e.len(), 0 | 2)).collect();
         self.nodes
@@ -85,7 +85,7 @@ impl LineGraph {
         is_node
     }
 
-    /// Puts vertices on the edge between `a` and `b`, so that it becomes `pieces` edges of one length.
+    /// Divides the edge between `a` and `b` into `pieces` edges of equal length.
     pub fn subdivide(&mut self, a: u32, b: u32, pieces: u32) {
         let [from, to] = [a, b].map(|v| self.positions[v as usize]);
         self.remove_edge(a, b);
@@ -100,7 +100,7 @@ impl LineGraph {
         self.add_edge(before, b);
     }
 
-    /// Takes the edge between `a` and `b` away.
+    /// Removes the edge between `a` and `b`.
     pub fn remove_edge(&mut self, a: u32, b: u32) {
         self.edges[a as usize].retain(|&x| x != b);
         self.edges[b as usize].retain(|&x| x != a);

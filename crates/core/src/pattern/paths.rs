@@ -12,7 +12,7 @@ pub struct Path {
     pub ends: Option<[u32; 2]>,
 }
 
-/// All strips, each once: those with ends from their lesser vertex on, then the loops from their least vertex.
+/// All strips, each once: open ones from their lesser end vertex, then loops from their least vertex.
 pub fn paths(lines: &LineGraph) -> Vec<Path> {
     let is_node = lines.is_node();
     let mut used = vec![false; lines.edges.len()];
@@ -24,7 +24,7 @@ pub fn paths(lines: &LineGraph) -> Vec<Path> {
         for &next in &lines.edges[v as usize] {
             let vertices = follow(lines, &is_node, v, next);
             let last = vertices[vertices.len() - 1];
-            // Seen from both ends; a strip that comes back to its own node is seen in both directions.
+            // Each is found from both ends; one that returns to its own node is found in both directions.
             let mirror = (last, vertices[vertices.len() - 2]);
             if (v, next) <= mirror {
                 for &w in &vertices {
@@ -47,7 +47,7 @@ pub fn paths(lines: &LineGraph) -> Vec<Path> {
     paths
 }
 
-/// Walks from `v` over `next` until a node, or `v` again.
+/// Walks from `v` over `next` to the next node, or back to `v`.
 fn follow(lines: &LineGraph, is_node: &[bool], v: u32, next: u32) -> Vec<u32> {
     let mut vertices = vec![v, next];
     let (mut before, mut at) = (v, next);

@@ -1,7 +1,7 @@
-//! Nodes: junction vertices of the pattern that lie within a few spacings are one node.
+//! Nodes: merges junction vertices of the pattern that lie within a few spacings.
 //!
-//! The minimum spanning graph meets three lines in two or three neighbouring vertices as often as in one. Strips shorter
-//! than the neighbourhood cannot be told from that, so they are contracted, and what they joined becomes one node.
+//! In a minimum spanning graph three lines meet in two or three neighbouring vertices as often as in one. A strip shorter than
+//! the neighbourhood cannot be told from such a link, so it is contracted, and its ends become one node.
 
 use std::collections::BTreeMap;
 
@@ -12,10 +12,10 @@ use crate::neighbors::Index;
 use crate::pattern::{LineGraph, Path};
 use crate::surface::Scales;
 
-/// Strips between two junctions or corners up to this many spacings long are taken for one.
+/// Greatest length of a strip between two junctions or corners that is contracted, spacings.
 const CONTRACTED: f64 = 3.0;
 
-/// A crease that ends this near to a border's node ends on it, spacings.
+/// Greatest distance between a crease's end and a border's node that become one, spacings.
 const BESIDE_NODE: f64 = 1.0;
 
 /// One node.
@@ -23,18 +23,18 @@ const BESIDE_NODE: f64 = 1.0;
 pub struct Cluster {
     /// Local frame.
     pub position: [f64; 3],
-    /// The vertex of the pattern that stands for it.
+    /// The vertex of the pattern that represents it.
     pub vertex: u32,
 }
 
 /// The nodes of one pattern and the paths between them.
 #[derive(Clone, Debug)]
 pub struct Meeting {
-    /// The paths that remain, their ends as indices into the clusters.
+    /// The remaining paths, with their ends as indices into the clusters.
     pub paths: Vec<Path>,
     /// The nodes.
     pub clusters: Vec<Cluster>,
-    /// Vertices of the pattern where paths end, and the cluster that each went into.
+    /// Vertices of the pattern where paths end, with the cluster of each.
     members: Vec<(u32, u32)>,
 }
 
@@ -70,11 +70,11 @@ pub fn meet(lines: &LineGraph, paths: Vec<Path>, scales: Scales) -> Meeting {
     Meeting { paths: kept, clusters, members: of_vertex }
 }
 
-/// Moves the nodes of creases that end on borders to where contraction has moved those of the borders, and leaves out the
-/// creases that this makes no longer than a node.
+/// Moves the nodes of creases that end on borders to the contracted nodes of the borders, and leaves out creases that this makes
+/// too short.
 ///
-/// What ends on a border has a vertex at the place of one of the border's (`link/dock.rs`); the mean of several such
-/// vertices is another place.
+/// A crease that ends on a border has a vertex at the place of one of the border's (`link/repair/dock.rs`), but contraction
+/// moves both to different means.
 pub fn agree(crease: (&LineGraph, &mut Meeting), border: (&LineGraph, &Meeting), scales: Scales) {
     let bits = |lines: &LineGraph, v: u32| lines.positions[v as usize].map(|x| (x + 0.0).to_bits());
     let places: BTreeMap<[u64; 3], [f64; 3]> = border
@@ -98,7 +98,7 @@ pub fn agree(crease: (&LineGraph, &mut Meeting), border: (&LineGraph, &Meeting),
     });
 }
 
-/// Puts the ends of single creases on the node of a border that is near.
+/// Moves the ends of single creases to border nodes near them.
 fn land(lines: &LineGraph, crease: &mut Meeting, border: &Meeting, scales: Scales) {
     let places: Vec<[f64; 3]> = border.clusters.iter().map(|c| c.position).collect();
     let index = Index::build(&places);
@@ -112,7 +112,7 @@ fn land(lines: &LineGraph, crease: &mut Meeting, border: &Meeting, scales: Scale
     }
 }
 
-/// Length of a path along its vertices, spacings.
+/// Length of a path, spacings.
 fn length(lines: &LineGraph, path: &Path, scales: Scales) -> f64 {
     let edge = |w: &[u32]| {
         let [a, b] = [w[0] as usize, w[1] as usize];
@@ -121,14 +121,14 @@ fn length(lines: &LineGraph, path: &Path, scales: Scales) -> f64 {
     path.vertices.windows(2).map(edge).sum()
 }
 
-/// Whether the strip lies between two nodes that other strips meet too, and is too short to be one.
+/// Whether the strip is too short to be a line and lies between two nodes with other strips.
 fn is_short(lines: &LineGraph, path: &Path, scales: Scales) -> bool {
     let Some([a, b]) = path.ends else { return false };
     let junctions = lines.edges[a as usize].len() > 1 && lines.edges[b as usize].len() > 1;
     junctions && length(lines, path, scales) <= CONTRACTED
 }
 
-/// The mean of the vertices, those that know no preferred direction counting most.
+/// The mean of the vertices, in which those without a preferred direction have the greatest weight.
 fn cluster(lines: &LineGraph, group: &[(u32, u32)]) -> Cluster {
     let (mut sum, mut total) = ([0.0; 3], 0.0);
     let mut best = group[0].1;
@@ -140,6 +140,6 @@ fn cluster(lines: &LineGraph, group: &[(u32, u32)]) -> Cluster {
             best = v;
         }
     }
-    // On the grid, so that crease and border agree on a place to the bit, whatever their weights.
+    // Rounded to a grid, so that crease and border agree on a place to the bit, whatever their weights.
     Cluster { position: scale(sum, 1.0 / total).map(on_grid), vertex: best }
 }

@@ -1,4 +1,4 @@
-//! A strip with its smooth curve (Gumhold 2001, section 4, the simple solution).
+//! Fits a smooth spline to a strip (Gumhold 2001, section 4, the simple solution).
 
 use crate::curve::{BSpline, FitOptions, fit};
 use crate::math::vec3::{distance, distance2};
@@ -8,23 +8,23 @@ use crate::pattern::{LineGraph, Path};
 use crate::resolution::Resolution;
 use crate::surface::Scales;
 
-/// Greatest number of points written for a span of a curve: enough to follow any cubic, and no more where points lie far apart.
+/// Greatest number of points for one span of a curve: enough to follow any cubic, even where the span is very long.
 const SPAN_POINTS: usize = 64;
 
-/// The span that suits the noise: more data for a control point where each says less.
+/// The span for the noise: the more noise, the more data for each control point.
 fn span(params: &SplineParams, resolution: Resolution) -> f64 {
     let ratio = resolution.noise / resolution.spacing;
     params.span_spacings.or(|| 3.0 + 6.0 * ratio.min(1.0)) * resolution.unit()
 }
 
-/// The resolution along a path: that of its densest place, so that none is smoothed over.
+/// The resolution along a path: that of its densest place, so that no place is smoothed over.
 fn finest(lines: &LineGraph, path: &Path, scales: Scales) -> Resolution {
     let at = |&v: &u32| scales.at(lines.points[v as usize] as usize);
     let finer = |a: Resolution, b: Resolution| if b.spacing < a.spacing { b } else { a };
     path.vertices.iter().map(at).reduce(finer).unwrap_or(scales.mean)
 }
 
-/// The strip along a path whose `ends` are nodes of the network.
+/// The strip along a path; `ends` are its nodes in the network.
 pub(super) fn strip(
     network: &Network,
     kind: StripKind,
@@ -62,19 +62,19 @@ pub(super) fn strip(
     }
 }
 
-/// The mean of what is known at the vertices of a path, over all of them.
+/// The mean of the known values at the vertices of a path, over all vertices.
 fn mean(path: &Path, known: impl Fn(usize) -> Option<f32>) -> f64 {
     let sum: f64 = path.vertices.iter().map(|&v| f64::from(known(v as usize).unwrap_or(0.0))).sum();
     sum / path.vertices.len() as f64
 }
 
-/// The mean evidence, a vertex without any adding nothing; `None` where no vertex has any.
+/// The mean evidence, zero for vertices without any; `None` if no vertex has any.
 fn evidence(lines: &LineGraph, path: &Path) -> Option<f64> {
     let sharp = |v: usize| lines.evidence[v].map(|e| e.sharp);
     path.vertices.iter().any(|&v| sharp(v as usize).is_some()).then(|| mean(path, sharp))
 }
 
-/// The mean fold over the vertices that measured one, degrees.
+/// The mean fold over the vertices with a measured fold, degrees.
 fn fold_deg(lines: &LineGraph, path: &Path) -> Option<f64> {
     let evidence = || path.vertices.iter().filter_map(|&v| lines.evidence[v as usize]);
     let folds = || evidence().map(|e| f64::from(e.fold)).filter(|&f| f > 0.0);
@@ -91,7 +91,7 @@ fn polyline(curve: &BSpline, step: f64) -> Vec<[f64; 3]> {
     let mut points: Vec<[f64; 3]> =
         (0..=last).map(|i| curve.point(from + (to - from) * i as f64 / pieces as f64)).collect();
     if !curve.periodic {
-        // The curve's ends are its end controls; written so, they equal the nodes to the bit.
+        // The ends of the curve are its end controls, which equal the nodes to the bit.
         points[0] = curve.controls[0];
         points[last] = curve.controls[curve.controls.len() - 1];
     }

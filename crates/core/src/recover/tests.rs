@@ -7,7 +7,7 @@ use crate::resolution::Resolution;
 
 const UNIT: Resolution = Resolution { spacing: 1.0, noise: 0.0 };
 
-/// Adds a row of vertices a spacing apart from `from` on, and gives the first and the last.
+/// Adds a row of vertices a spacing apart, beginning at `from`, and returns the first and the last.
 fn row(lines: &mut LineGraph, from: [f64; 3], step: [f64; 3], count: u32) -> [u32; 2] {
     let first = lines.edges.len() as u32;
     for i in 0..count {
@@ -44,7 +44,7 @@ fn a_crease_that_ends_beside_the_end_of_a_border_ends_on_it() {
     }
 }
 
-/// A rectangle, 16 by 8, with a chord across its middle, which folds by `fold_deg` between two patches.
+/// A rectangle, 16 by 8, with a chord across its middle that folds by `fold_deg` between two patches; after verification.
 fn chord(fold_deg: f64) -> (LineGraph, bool) {
     let mut crease = LineGraph::default();
     let corners = [[0.0, 0.0, 0.0], [16.0, 0.0, 0.0], [16.0, 8.0, 0.0], [0.0, 8.0, 0.0]];

@@ -1,4 +1,4 @@
-//! What crease and border pattern, or contracted junctions, say twice is said once.
+//! Tidies a network: merges nodes at one place, drops repeated strips and stubs, and counts the strips at each node.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,8 +6,8 @@ use crate::math::vec3::distance;
 use crate::network::{Network, NodeKind, Strip, StripKind, trace};
 use crate::surface::Scales;
 
-/// Makes nodes at one place one node, keeps the first of strips with the same points, leaves out the stubs that remain,
-/// creases up to `stub` spacings long, and counts what meets in each node.
+/// Merges nodes at one place, keeps the first of strips with the same points, drops stubs, creases up to `stub` spacings long,
+/// and counts the strips at each node. Crease and border pattern, or contracted junctions, can give the same line twice.
 pub fn tidy(network: &mut Network, stub: f64, scales: Scales) {
     unite(network);
     let mut seen = BTreeSet::new();
@@ -24,12 +24,12 @@ pub fn tidy(network: &mut Network, stub: f64, scales: Scales) {
     }
 }
 
-/// The greatest length of a spacing along a strip.
+/// The greatest spacing along a strip.
 fn coarsest(strip: &Strip, scales: Scales) -> f64 {
     strip.sources.iter().map(|&i| scales.unit(i)).fold(0.0, f64::max)
 }
 
-/// Whether a strip is short and ends loose beside what it hangs on.
+/// Whether a strip is a stub: short, with one loose end and one end on other strips.
 fn is_stub(strip: &Strip, longest: f64, degree: impl Fn(u32) -> u32) -> bool {
     let (Some(start), Some(end)) = (strip.start, strip.end) else { return false };
     let [a, b] = [degree(start), degree(end)];
@@ -37,8 +37,8 @@ fn is_stub(strip: &Strip, longest: f64, degree: impl Fn(u32) -> u32) -> bool {
     strip.kind == StripKind::Crease && a.min(b) == 1 && a.max(b) > 1 && length <= longest
 }
 
-/// Leaves out strips that the world frame's rounding has shrunk to a point or made the same as another, and nodes that no strip
-/// meets; counts what meets in the others. Says which strips stay.
+/// Drops strips that the rounding of the world frame has shrunk to a point or made equal to another, and nodes without strips;
+/// counts the strips at the others. Returns whether each strip stays.
 pub fn settle(network: &mut Network) -> Vec<bool> {
     let mut seen = BTreeSet::new();
     let long = |s: &Strip| s.points.len() >= if s.closed { 3 } else { 2 };

@@ -1,9 +1,9 @@
-//! Closed lines that the patches beside them do not bear out are taken back (method `segments`, robust form).
+//! Verifies closing lines by the patches beside them and removes the false ones (method `segments`, robust form).
 //!
-//! Demarsin et al. 2007 close every line, by the shortest way where nothing else is found (section 2.7). Such a link may run
-//! over a smooth face. What lies on both sides of a strip is known once the patches are: a short strip with hardly a fold, or
-//! with one patch on both sides, is no boundary. It goes where what it hangs on stays closed without it. Where
-//! no patches are looked for (`patches.find=false`) nothing is taken back.
+//! Demarsin et al. 2007 close every line, by the shortest way if there is no other (section 2.7). Such a link may run over a
+//! smooth face. The patches show it: a short strip with hardly any fold, or with the same patch on both sides, is not a
+//! boundary. It is removed if the other lines at its ends stay closed without it. Without patches (`patches.find=false`) nothing
+//! is removed.
 
 use crate::math::vec3::distance;
 use crate::network::{Network, Strip, StripKind};
@@ -12,11 +12,11 @@ use crate::pattern::{LineGraph, paths};
 use crate::resolution::Resolution;
 use std::collections::BTreeSet;
 
-/// Strips longer than this, spacings, are seen clearly enough to stay.
+/// Length above which a strip stays in any case, spacings.
 const CLEARLY_SEEN: f64 = 20.0;
 
-/// Takes the strips that are no boundaries out of the crease pattern, those that fold less than `fold_deg`; whether there were
-/// any.
+/// Removes strips that are not boundaries, with a fold of less than `fold_deg`, from the crease pattern; returns whether there
+/// were any.
 pub fn take_back(
     crease: &mut LineGraph,
     network: &Network,
@@ -53,7 +53,7 @@ pub fn take_back(
     !gone.is_empty()
 }
 
-/// The fold of a crease that may be no boundary, degrees; `None` for others.
+/// The fold of a crease that may not be a boundary, degrees; `None` for others.
 fn flatness(strip: &Strip, patches: &Patches, s: usize) -> Option<f64> {
     let sides = patches.sides[s];
     let (StripKind::Crease, Some(left), Some(right)) = (strip.kind, sides.left, sides.right) else {
@@ -68,7 +68,7 @@ fn flatness(strip: &Strip, patches: &Patches, s: usize) -> Option<f64> {
     Some(fold)
 }
 
-/// Takes the strip from the degrees of its nodes, unless that leaves one of them a loose end.
+/// Subtracts the strip from the degrees of its nodes, unless that leaves a loose end.
 fn stays_closed(strip: &Strip, degree: &mut [u32]) -> bool {
     let (Some(a), Some(b)) = (strip.start, strip.end) else { return true };
     let [a, b] = [a as usize, b as usize];

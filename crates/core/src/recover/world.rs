@@ -1,11 +1,11 @@
-//! A network from the local frame to that of the input.
+//! Takes a network from the local frame to that of the input.
 
 use super::tidy::settle;
 use crate::frame::{Frame, on_grid};
 use crate::network::Network;
 
-/// Positions into the world frame, sources into the order of the input; which strips stay, as far coordinates can be too
-/// coarse for a short line.
+/// The network with positions in the world frame and sources as indices of the input; and whether each strip stays, as rounding
+/// far from the origin can be too coarse for a short line.
 pub fn to_world(mut network: Network, frame: &Frame, source: &[u32]) -> (Network, Vec<bool>) {
     let unit = frame.length_to_world(1.0);
     let placed = |p: [f64; 3]| frame.to_world(p.map(on_grid));

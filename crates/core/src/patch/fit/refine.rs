@@ -1,9 +1,9 @@
-//! The surface of least squared distances, from a first guess.
+//! Refines a first guess to the surface of least squared distances.
 //!
-//! All but the plane are surfaces of revolution, and their distance depends on the height `h` along the axis and the distance `r`
-//! from it alone. So one Levenberg-Marquardt iteration (D. Marquardt, "An algorithm for least-squares estimation of nonlinear
-//! parameters", SIAM Journal 11, 1963) serves all: three parameters move the centre, two tilt the axis, and up to two shape the
-//! profile. What a kind has no use for, such as the axis of a sphere, has no slope and stays where it is.
+//! All kinds but the plane are surfaces of revolution, whose distance depends only on the height `h` along the axis and the
+//! distance `r` from it. So one Levenberg-Marquardt iteration (D. Marquardt, "An algorithm for least-squares estimation of
+//! nonlinear parameters", SIAM Journal 11, 1963) serves all: three parameters move the centre, two tilt the axis, and up to two
+//! shape the profile. A parameter that a kind does not have, such as the axis of a sphere, has no slope and does not change.
 
 use super::Surface;
 use super::surface::height_and_radius;
@@ -15,7 +15,7 @@ const STEPS: usize = 40;
 /// Relative gain below which the iteration is at rest.
 const AT_REST: f64 = 1e-10;
 
-/// A surface of revolution: where its axis is and what its profile looks like.
+/// A surface of revolution: its axis and its profile.
 #[derive(Clone, Copy)]
 struct Turned {
     kind: Surface,
@@ -24,7 +24,7 @@ struct Turned {
     shape: [f64; 2],
 }
 
-/// The refined surface; `None` if it runs away.
+/// The refined surface; `None` if the iteration diverges.
 pub fn refine(surface: Surface, points: &[[f64; 3]]) -> Option<Surface> {
     let Some(mut at) = Turned::of(surface) else { return Some(surface) };
     let mut damping = 1e-3;
@@ -129,7 +129,7 @@ impl Turned {
         Turned { center: add(self.center, [step[0], step[1], step[2]]), axis, shape, ..*self }
     }
 
-    /// The surface, if it is one: radii positive, a cone that neither is a plane nor a line, all numbers finite.
+    /// The surface; `None` unless radii are positive, a cone is neither a plane nor a line, and all numbers are finite.
     fn surface(&self, points: &[[f64; 3]]) -> Option<Surface> {
         let Turned { center, axis, shape: [s, t], .. } = *self;
         let finite = center.iter().chain(&axis).chain(&[s, t]).all(|x| x.is_finite());
@@ -165,7 +165,7 @@ fn solve(
         for j in 0..i {
             system.add(i, j, matrix[i][j]);
         }
-        // A parameter without slope gets a diagonal of its own, and no step.
+        // A parameter without slope gets a large diagonal, and with it no step.
         let diagonal = matrix[i][i];
         let least = 1e-9 * largest;
         system.add(

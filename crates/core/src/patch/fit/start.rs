@@ -1,6 +1,6 @@
 //! First guesses of the surfaces from points and normals.
 //!
-//! The axis of a cylinder is the direction that no normal has, and the normals of a cone have one angle to its axis. The axis of
+//! The axis of a cylinder is at right angles to all normals, and that of a cone has one angle to all of them. The axis of
 //! a torus meets all normal lines: H. Pottmann and T. Randrup ("Rotational and helical surface approximation for reverse
 //! engineering", Computing 60, 1998, section 2) fit a linear complex to the normal lines; here one of no pitch is taken.
 
@@ -10,7 +10,7 @@ use crate::math::eigen3::{Eigen3, eigen3};
 use crate::math::tensor::scatter;
 use crate::math::vec3::{add, add_scaled, cross, dot, norm, perpendicular, scale, sub, unit};
 
-/// A guess of each surface that points and normals allow.
+/// A first guess of each kind of surface, where points and normals allow one.
 pub fn all(points: &[[f64; 3]], normals: &[[f64; 3]]) -> Vec<Surface> {
     let mut found = vec![plane_towards(points, normals)];
     found.extend(sphere(points));
@@ -45,12 +45,12 @@ fn mean(points: &[[f64; 3]]) -> [f64; 3] {
     scale(sum, 1.0 / points.len().max(1) as f64)
 }
 
-/// Eigensystem of the sum of the squares of vectors.
+/// Eigensystem of the sum of `v v^t` over vectors.
 fn tensor(vectors: impl Iterator<Item = [f64; 3]>) -> Eigen3 {
     eigen3(&scatter(vectors))
 }
 
-/// Solves `sum (v v^t) x = sum (v b)` in the directions that the vectors span.
+/// Solves `sum (v v^t) x = sum (v b)` in the span of the vectors.
 fn solve(rows: &[([f64; 3], f64)]) -> Option<[f64; 3]> {
     let Eigen3 { values, vectors } = tensor(rows.iter().map(|r| r.0));
     if !(values[2] > 0.0) {
@@ -103,14 +103,14 @@ fn cone(points: &[[f64; 3]], normals: &[[f64; 3]]) -> Option<Surface> {
     Some(Surface::Cone { apex, axis, half_angle: f64::atan2(radius, height) })
 }
 
-/// The axis that all normal lines come closest to meeting, and a point on it.
+/// The axis nearest to all normal lines, and a point on it.
 ///
 /// A line through `p` along `n` meets the axis of direction `c` through `q` where `n . (q x c) + (p x n) . c = 0`.
 fn revolution(points: &[[f64; 3]], normals: &[[f64; 3]]) -> Option<([f64; 3], [f64; 3])> {
     let middle = mean(points);
     let moments: Vec<[f64; 3]> =
         points.iter().zip(normals).map(|(&p, &n)| cross(sub(p, middle), n)).collect();
-    // The moment of the axis that is best for each direction is linear in it: one column for each unit vector.
+    // The best moment of the axis is linear in its direction: one column for each unit vector.
     let columns: Vec<[f64; 3]> = (0..3)
         .map(|k| solve(&normals.iter().zip(&moments).map(|(&n, m)| (n, -m[k])).collect::<Vec<_>>()))
         .collect::<Option<_>>()?;

@@ -1,14 +1,14 @@
-//! The surfaces that a patch can be.
+//! The kinds of surface that are fitted to patches.
 
 use crate::frame::Frame;
 use crate::math::vec3::{add_scaled, dot, norm, scale, sub, unit};
 
-/// A surface without bounds. Unit axes; lengths and places in the frame of whoever holds it.
+/// A surface without bounds. Axes are unit vectors; lengths and places are in the frame of the patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Surface {
     /// `normal . x = normal . point`.
     Plane {
-        /// A point on it: the middle of the patch.
+        /// A point on the plane, in the middle of the patch.
         point: [f64; 3],
         /// Unit normal, outwards.
         normal: [f64; 3],
@@ -51,14 +51,14 @@ pub enum Surface {
     },
 }
 
-/// A surface and how well it suits the points of a patch.
+/// A surface fitted to a patch, with its residual.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fit {
-    /// The best of the surfaces.
+    /// The best surface.
     pub surface: Surface,
-    /// Root mean square distance of the points of the patch from it; those next to the strips are left out.
+    /// Root mean square distance of the points of the patch from it, leaving out those next to strips.
     pub residual: f64,
-    /// Whether the residual is more than noise and sampling explain: the patch is none of these surfaces, or several.
+    /// Whether the patch is free-form: the residual exceeds noise and sampling, as the patch has another shape or several.
     pub free: bool,
 }
 

@@ -2,7 +2,7 @@ use super::{refine, start, surface::Surface};
 use crate::math::vec3::{add, add_scaled, cross, dot, scale, unit};
 use crate::shapes::Rng;
 
-/// Points and outward normals over part of a surface of revolution whose profile is `at(u)`: radius, height, and the normal in both.
+/// Points and outward normals over part of a surface of revolution; `at(u)` is its profile: radius and height, and the normal.
 fn turned(at: impl Fn(f64) -> ([f64; 2], [f64; 2]), arc: f64) -> (Vec<[f64; 3]>, Vec<[f64; 3]>, [f64; 3]) {
     let axis = unit([0.3, -0.5, 0.8]);
     let x = unit(cross(axis, [1.0, 0.0, 0.0]));
@@ -19,7 +19,7 @@ fn turned(at: impl Fn(f64) -> ([f64; 2], [f64; 2]), arc: f64) -> (Vec<[f64; 3]>,
     (points, normals, axis)
 }
 
-/// The best of all surfaces for exact points.
+/// The best surface for exact points.
 fn found(points: &[[f64; 3]], normals: &[[f64; 3]]) -> Surface {
     let refined = start::all(points, normals).into_iter().filter_map(|s| refine::refine(s, points));
     refined.map(|s| (super::cost(&s, points, 1e-3), s)).min_by(|a, b| a.0.total_cmp(&b.0)).unwrap().1
