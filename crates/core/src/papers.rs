@@ -1,8 +1,8 @@
 //! The four papers, term by term: where each of their sections, equations, algorithms and figures is in the code.
 //!
-//! This module holds documentation only. An item is a path below `crates/core/src`; the paper's own word stands in the file
-//! of the item, so that one search for the word finds it. A test checks both. How to run each paper as printed, its
-//! parameters and figures: `docs/papers.md`.
+//! This module holds documentation only. An item is a path below `crates/core/src`: `link::spanning::graph::closes_long` is the
+//! function `closes_long` in `link/spanning/graph.rs`. The paper's own word stands in the file of the item, so that one search
+//! for the word finds it. A test checks both. How to run each paper as printed, its parameters and figures: `docs/papers.md`.
 //!
 //! # S. Gumhold, X. Wang, R. MacLeod: Feature Extraction from Point Clouds (2001)
 //!
@@ -19,7 +19,7 @@
 //! | equation 9 | corner penalty | `detect::penalty::as_printed::point` |
 //! | section 3.2 | w_c, w_b | `link::spanning::weight::weigh` |
 //! | section 3.2, figure 5 b | minimum spanning graph | `link::spanning::graph::minimum_spanning_graph` |
-//! | section 3.2 | pathLonger | `link::spanning::graph::closes_long` |
+//! | section 3.2 | cycle test, pathLonger | `link::spanning::graph::closes_long` |
 //! | section 3.2 | disjoint set | `math::union_find::UnionFind` |
 //! | section 3.3, figure 5 c | pruning | `link::spanning::prune::prune` |
 //! | section 3.3 | singleton end | `link::spanning::prune::prune` |
@@ -39,11 +39,11 @@
 //! | section 2.2, figure 1 | first-order segmentation | `detect::segments` |
 //! | section 2.2 | region growing | `detect::segments::segmentation::Segmentation` |
 //! | section 2.2 | perfectly aligned points | `detect::segments::segmentation::take_apart` |
-//! | algorithm 1 | closed sharp feature lines | `link::clusters` |
+//! | Algorithm 1 | closed sharp feature lines | `link::clusters` |
 //! | section 2.3, figure 2 | G_all | `link::clusters::all::all_clusters` |
 //! | section 2.4, figure 4 | G_extended | `link::clusters::extend::extend` |
 //! | section 2.5 | G_pruned_mst | `link::clusters::forest::forest` |
-//! | algorithm 2, section 2.6 | G_pruned_branches | `link::clusters::branches::prune_branches` |
+//! | Algorithm 2, section 2.6 | G_pruned_branches | `link::clusters::branches::prune_branches` |
 //! | section 2.7, figure 5 | connect algorithm | `link::clusters::connect::connect` |
 //! | section 2.7 | G_closed | `link::clusters::as_printed::link_as_printed` |
 //! | section 2.8 | G_smooth | `link::clusters::smooth::smooth` |
@@ -75,7 +75,8 @@
 //! | section 2, figure 2 | slab | `section::slicing::slabs` |
 //! | section 3, figures 3, 4 | convex hull | `section::outline::hull::features` |
 //! | section 3 | feature points | `section::outline::regions::refine` |
-//! | section 3, figure 5 | region assignment | `section::contour::assign` |
+//! | section 3, figure 5 | false assignments | `section::contour::assign::assign` |
+//! | section 3, figure 5 | region of a point | `section::outline::regions::refine` |
 //! | section 4, figure 6 | switching effect | `section::outline::voronoi` |
 //! | section 4, figure 7 | largest empty circle | `section::outline::voronoi::features` |
 //! | section 4 | Voronoi vertex | `section::outline::voronoi::circle` |

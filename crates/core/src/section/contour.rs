@@ -1,4 +1,5 @@
-//! Contours told apart and ordered before any outline is drawn, and the samples assigned to them (Kyriazis et al., figure 5).
+//! Contours of a section, linked and ordered before any outline is drawn (ours), and the assignment of samples to them
+//! (Kyriazis et al., section 3, figure 5: `assign`).
 
 pub(crate) mod assign;
 pub(crate) mod band;

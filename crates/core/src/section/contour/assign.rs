@@ -1,5 +1,8 @@
-//! Region assignment (Kyriazis et al., section 3, figure 5): the contour that each sample belongs to, and its place along it.
-//! A sample goes to the contour that runs its way, not simply to the nearest.
+//! Region assignment (Kyriazis et al., section 3, figure 5): the contour to which each sample belongs, and its place along it.
+//!
+//! The paper avoids false assignments, as of a sample near the opposite side of a thin wall, by the regions of its neighbours.
+//! Here each sample carries the tangent of its own neighbourhood, and it is assigned to the nearest contour that runs in this
+//! direction, not simply to the nearest. `outline/regions.rs` then cuts the samples of a contour into regions by their order.
 
 use std::ops::Range;
 
@@ -10,22 +13,23 @@ use crate::math::trees::packed::Packed;
 use crate::math::vec2::{along, cross, dot, sub};
 use crate::section::surface::carry::Sample;
 
-/// Samples this far from the contour beside their node, in spacings, may lie nearer to another stretch: at the tip of a
-/// narrow wedge a node stands for both sides.
+/// Distance of a sample from the contour at its node up to which no other stretch is tried, spacings: at the tip of a narrow
+/// wedge one node represents both sides.
 const SURE_DISTANCE: f64 = 0.2;
-/// The node is in no band.
+/// The band of a node that is in none.
 const NO_BAND: u32 = u32::MAX;
-/// Segments that are first looked along together.
+/// Number of segments that are first searched together.
 const STRETCH: usize = 16;
-/// How far from a contour samples are looked for, in its own spacings; each then has a say by its own.
+/// Greatest distance from a contour at which samples are searched, in the contour's spacings; the sample's own spacing decides
+/// then.
 const SEARCH_REACH: f64 = 1.5;
-/// Distance in spacings that counts like running across each other.
+/// Distance that counts as much as directions at right angles, spacings.
 const ACROSS_COST: f64 = 0.5;
 
-/// Gives every sample that is `free` to the nearest contour that runs its way; samples near none are left out.
+/// Assigns every sample that is `free` to the nearest contour that runs in its direction; samples near none are left out.
 ///
-/// `owners` has for each sample its node; where the contours are chains of nodes, those with a node there are placed beside
-/// it, and only for the others, and those not close to it, all contours are looked along.
+/// `owners` is the node of each sample. If that node is on a contour, the sample is placed beside it; only the other samples, and
+/// those not close to their node's contour, are searched along all contours.
 pub(crate) fn assign(samples: &[Sample], owners: &[u32], free: &[bool], chains: Vec<Chain>) -> Vec<Band> {
     let bands: Vec<Band> = chains.into_iter().map(Band::new).collect();
     let mut best = vec![Place { off: f64::INFINITY, band: 0, arc: 0.0, growth: 0.0 }; samples.len()];
@@ -44,7 +48,7 @@ pub(crate) fn assign(samples: &[Sample], owners: &[u32], free: &[bool], chains: 
     bands.into_iter().zip(marks).map(|(band, marks)| band.marked(marks)).collect()
 }
 
-/// For each node the band it is in and its vertex there.
+/// The band of each node and its vertex there.
 fn seats(bands: &[Band]) -> Vec<(u32, u32)> {
     let mut seats = Vec::new();
     for (b, band) in (0u32..).zip(bands) {
@@ -57,7 +61,7 @@ fn seats(bands: &[Band]) -> Vec<(u32, u32)> {
     seats
 }
 
-/// Looks along all contours for some of the samples.
+/// Searches along all contours for the `wanted` samples.
 fn search(samples: &[Sample], wanted: &[u32], bands: &[Band], best: &mut [Place]) {
     let feet: Vec<[f64; 2]> = wanted.iter().map(|&i| samples[i as usize].foot).collect();
     if feet.is_empty() {
@@ -68,7 +72,7 @@ fn search(samples: &[Sample], wanted: &[u32], bands: &[Band], best: &mut [Place]
         let all = segments(band);
         for first in (0..all).step_by(STRETCH) {
             let stretch = first..(first + STRETCH).min(all);
-            // Samples to look for are few and together: most stretches have none.
+            // Wanted samples are few and close together: most stretches have none.
             let (centre, radius) = around(band, stretch.clone());
             if tree.any(centre, radius) {
                 for v in stretch {
@@ -82,7 +86,7 @@ fn search(samples: &[Sample], wanted: &[u32], bands: &[Band], best: &mut [Place]
     }
 }
 
-/// A ball that holds all that is near some segments of a band.
+/// A ball that holds everything near some segments of a band.
 fn around(band: &Band, stretch: Range<usize>) -> ([f64; 2], f64) {
     let from = band.chain.vertices[stretch.start].at;
     let length: f64 = stretch.clone().map(|v| band.reach(v)).sum();
@@ -90,8 +94,7 @@ fn around(band: &Band, stretch: Range<usize>) -> ([f64; 2], f64) {
     (from, length + SEARCH_REACH * widest)
 }
 
-/// Visits the samples near a segment of a band: long segments are looked along in balls of a few spacings, not in one large
-/// one.
+/// Visits the samples near a segment of a band, in balls of a few spacings along it rather than in one large ball.
 fn near(band: &Band, v: usize, tree: &Packed, found: &mut Vec<u32>, mut visit: impl FnMut(u32)) {
     let (from, way, length) = (band.chain.vertices[v].at, band.ways[v], band.reach(v));
     let spacing = band.chain.vertices[v].spacing;
@@ -103,11 +106,11 @@ fn near(band: &Band, v: usize, tree: &Packed, found: &mut Vec<u32>, mut visit: i
     }
 }
 
-/// Where a sample lies along the nearest contour so far.
+/// The place of a sample along the best contour so far.
 #[derive(Clone, Copy)]
 struct Place {
-    /// Distance from the contour, with a part for how much the two run apart: at the tip of a narrow wedge both sides
-    /// are near.
+    /// Distance from the contour, with a part for the difference of directions: at the tip of a narrow wedge both sides are
+    /// near.
     off: f64,
     band: u32,
     arc: f64,
@@ -130,7 +133,7 @@ impl Place {
         }
     }
 
-    /// Takes a segment of the band `b` if it is nearer and runs the sample's way.
+    /// Takes a segment of the band `b` if it is nearer and runs in the sample's direction.
     fn meet(&mut self, sample: &Sample, b: u32, band: &Band, v: usize) {
         let (from, way) = (band.chain.vertices[v].at, band.ways[v]);
         let apart = sub(sample.foot, from);

@@ -1,8 +1,8 @@
 //! The Convex Hull Method: feature points by repeated convex hulls (Kyriazis et al., section 3).
 //!
 //! The first feature points are the convex hull of the contour's points (step 3); a region whose points lie far from its
-//! chord adds the vertices of its own convex hull (step 4). On a thick band these lie on the outside and on the inside by
-//! turns, the paper's switching effect (figure 6).
+//! chord adds the vertices of its own convex hull (step 4). On a thick band these alternate between outside and inside: the
+//! paper's internal-external point switching effect (figure 6), which `voronoi` eliminates.
 
 use super::regions::refine;
 use crate::math::convex_hull::convex_hull;

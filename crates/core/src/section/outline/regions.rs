@@ -1,8 +1,9 @@
 //! Regions of a contour between neighbouring feature points, split until their points lie near the curve (Kyriazis et al.,
 //! sections 3 and 4, step 4).
 //!
-//! Which region a point belongs to is decided by its neighbours (figure 5): the points come in their order along the band,
-//! and a region is all that lies between two feature points in that order, however near another part of the curve may pass.
+//! The region of a point is decided by its neighbours (figure 5): points are ordered along the band, and a region is the run of
+//! points between two feature points, however near another part of the curve may pass. The order comes from the region
+//! assignment in `contour/assign.rs`.
 
 use crate::math::convex_hull::convex_hull;
 use crate::math::vec2::onto;
@@ -48,7 +49,7 @@ fn between(first: usize, last: usize, n: usize) -> Vec<usize> {
     if first < last { (first..=last).collect() } else { (first..n).chain(0..=last).collect() }
 }
 
-/// Where the picked marks stand in a region, ascending, its two ends left out.
+/// The positions of the picked marks in a region, ascending, without its two ends.
 pub(crate) fn positions(region: &[usize], picked: &[usize]) -> Vec<usize> {
     let n = region.len();
     // A region is a run of consecutive marks, cut at most once by the seam.
@@ -60,14 +61,14 @@ pub(crate) fn positions(region: &[usize], picked: &[usize]) -> Vec<usize> {
     inner
 }
 
-/// Mean distance of the points of a region from its chord: the paper's `avg_dist`, held against its `e`.
+/// Mean distance of the points of a region from its chord: the paper's `avg_dist`, which is compared with its `e`.
 fn mean_distance(band: &Band, region: &[usize]) -> f64 {
     let (a, b) = chord(band, region);
     let sum: f64 = region.iter().map(|&m| onto(a, b, band.marks[m].raw).1).sum();
     sum / region.len() as f64
 }
 
-/// Where in the region the point farthest from its chord stands; never one of the two ends.
+/// The position in the region of the point farthest from its chord, never one of the two ends.
 pub(crate) fn farthest(band: &Band, region: &[usize]) -> usize {
     let (a, b) = chord(band, region);
     let mut best = (-1.0, 1);
@@ -80,7 +81,7 @@ pub(crate) fn farthest(band: &Band, region: &[usize]) -> usize {
     best.1
 }
 
-/// The two feature points a region lies between.
+/// The two feature points of a region.
 pub(crate) fn chord(band: &Band, region: &[usize]) -> ([f64; 2], [f64; 2]) {
     let at = |m: usize| band.marks[m].raw;
     (at(region[0]), at(region[region.len() - 1]))

@@ -1,16 +1,15 @@
 //! Feature points by the largest empty circle of each region: Kyriazis et al., section 4.
 //!
-//! In a region whose points lie far from their chord, each Voronoi vertex on the other side of the chord is the centre
-//! of a circle that touches the points from outside. The farthest of them within a bound gives the next feature points:
-//! those its circle touches. So the envelope is followed without the internal-external switching effect between the two
-//! sides of a thick band (figure 6).
-//! The bound is a multiple of the greatest distance of the region's points from the chord: a large one gives small
-//! steps and many feature points, a small one large steps and few.
+//! In a region whose points lie far from their chord, each Voronoi vertex on the other side of the chord is the centre of a
+//! circle that touches the points from outside. The farthest of them within a bound gives the next feature points, the points
+//! on its circle. This eliminates the internal-external point switching effect (figure 6), by which the curve changes from one
+//! side of a thick band to the other. The bound is a multiple of the greatest distance of the region's points from the chord: a
+//! large one gives small steps and many feature points, a small one large steps and few.
 //!
-//! Departures: where a circle cuts off less than a twentieth of a large region, the point farthest from the chord is
-//! taken as well, which keeps the number of rounds logarithmic; the paper assumes it. Circles that touch nothing but the two
-//! ends of a region are passed over; of more than three points on a circle three are taken. Regions, threshold and the
-//! polyline drawn are those of `hull`.
+//! Departures: if a circle cuts off less than a twentieth of a large region, the point farthest from the chord is taken as well,
+//! which keeps the number of rounds logarithmic; the paper assumes it. Circles through the two ends of a region alone are
+//! skipped; of more than three points on a circle three are taken. Regions, threshold and the polyline drawn are those of
+//! `hull`.
 
 use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation};
 
@@ -39,8 +38,8 @@ impl HasPosition for Site {
     }
 }
 
-/// The marks that the chosen circle of a region touches (the paper's `largest_circle` at its `farthest_vertex`); none where
-/// the region has no triangle.
+/// The marks on the chosen circle of a region (the paper's `largest_circle` at its `farthest_vertex`); none if the region has no
+/// triangle.
 fn circle(band: &Band, region: &[usize], bound: f64) -> Vec<usize> {
     let (a, b) = chord(band, region);
     let axis = unit(sub(b, a));
