@@ -1,3 +1,3 @@
-//! What a result is put to use for.
+//! Applications of a result: pictures.
 
 pub mod render;

@@ -1,4 +1,4 @@
-//! The invariants of results: what every test and fuzz target ends in.
+//! Checks of the invariants of results, with which every test and fuzz target ends.
 
 mod curve;
 mod network;

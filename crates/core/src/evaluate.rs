@@ -1,4 +1,4 @@
-//! How near a network comes to a known truth: as geometry (`score`) and as a graph (`isomorphism`).
+//! Evaluation of a network against a known truth: its geometry (`score`) and its graph (`isomorphism`).
 
 mod isomorphism;
 mod score;

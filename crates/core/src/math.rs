@@ -1,4 +1,4 @@
-//! Small numerical tools that know nothing of clouds.
+//! Small numerical tools, independent of clouds.
 
 pub(crate) mod convex_hull;
 pub(crate) mod counting_sort;

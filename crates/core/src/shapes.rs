@@ -1,8 +1,8 @@
 //! Solids and sheets with known feature networks, sampled as a scanner would: for tests, docs and examples.
 //!
 //! A [`Shape`] is a list of trimmed faces and the [`Truth`]: the creases and borders that it has by construction.
-//! A [`Scan`] says where the points lie (grid, by area, blue noise, scanner), how noisy they are and which seed they
-//! come from; the same seed gives the same bits on every machine.
+//! A [`Scan`] has the settings of a sampling: positions of the points (grid, by area, blue noise, scanner), noise and seed;
+//! the same seed gives the same bits on every machine.
 //!
 //! ```
 //! use lineament::shapes::{Sampling, Scan, bracket};

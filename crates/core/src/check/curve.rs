@@ -1,4 +1,4 @@
-//! Invariants of the curve that a strip was fitted with.
+//! Invariants of the fitted curve of a strip.
 
 use super::verdict::finite;
 use crate::curve::BSpline;
@@ -42,7 +42,7 @@ fn knot_faults(curve: &BSpline) -> Vec<String> {
     faults.into_iter().flatten().collect()
 }
 
-/// A clamped curve starts and ends in its outer control points.
+/// Faults at the ends of a clamped curve, which starts and ends in its outer control points.
 fn loose_ends(network: &Network, strip: &Strip) -> Vec<String> {
     if strip.curve.periodic {
         return Vec::new();

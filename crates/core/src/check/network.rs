@@ -4,13 +4,13 @@ use super::verdict::verdict;
 use super::{curve, nodes, strips};
 use crate::network::Network;
 
-/// States every invariant of a [`Network`].
+/// Checks every invariant of a [`Network`].
 ///
 /// Nodes: finite positions, no two the same, degrees that count the strip ends, kinds that follow from the degrees.
 /// Strips: node indices in range, none exactly when closed; finite points, at least 2 (3 if closed), no two in a row the
 /// same, the first of a loop not repeated, ends on their nodes bit for bit; no strip twice; deviation finite and not
-/// negative, confidence from 0 to 1; no source twice in a row. Curves: counts and order of the knots as [`BSpline`]
-/// says, finite controls, periodic exactly when the strip is closed, clamped ends on the nodes to 1e-9 of the strip's
+/// negative, confidence from 0 to 1; no source twice in a row. Curves: number and order of the knots as documented at
+/// [`BSpline`], finite controls, periodic exactly when the strip is closed, clamped ends on the nodes to 1e-9 of the strip's
 /// extent.
 ///
 /// [`BSpline`]: crate::curve::BSpline
@@ -27,7 +27,7 @@ pub fn network(network: &Network) -> Result<(), Vec<String>> {
     verdict(faults)
 }
 
-/// States that every source of a network is a point of a cloud of this many.
+/// Checks that every source of a network is a point of a cloud of `points` points.
 ///
 /// # Errors
 /// One sentence for each violation.

@@ -27,7 +27,7 @@ pub(super) fn faults(network: &Network) -> Vec<String> {
 }
 
 fn shared_places(network: &Network) -> Vec<String> {
-    // Adding zero makes one of the two zeros, so that they sort as equal.
+    // Adding zero turns -0 into 0, so that both sort as equal.
     let place = |i: usize| network.nodes[i].position.map(|x| x + 0.0);
     let order = |&i: &usize, &j: &usize| {
         let (a, b) = (place(i), place(j));

@@ -4,12 +4,12 @@ use super::verdict::verdict;
 use crate::network::Network;
 use crate::patch::{Coedge, Loop, NO_PATCH, Patches};
 
-/// States every invariant of [`Patches`] that belong to a network.
+/// Checks every invariant of the [`Patches`] of a network.
 ///
-/// Labels: in range, and as many of each as the patch says. Sides: one entry a strip,
-/// patches in range, a fold and a bend exactly where the other is. Loops: each side of a strip stands in exactly one loop of its
-/// patch, each strip begins where the one before ends, a closed loop ends where it begins, the first loop of each patch and no
-/// other is the outer one. Neighbours: ascending, never the patch itself, and mutual. Areas and residuals: finite, not negative.
+/// Labels: in range, and as many of each as its patch has points. Sides: one entry for each strip, patches in range, `fold_deg`
+/// and `convex` given both or neither. Loops: each side of a strip occurs in exactly one loop of its patch, each strip begins
+/// where the previous one ends, a closed loop ends where it begins, the first loop of each patch and no other is the outer one.
+/// Neighbours: ascending, never the patch itself, and mutual. Areas and residuals: finite, not negative.
 ///
 /// # Errors
 /// One sentence for each violation, naming the patch or strip.

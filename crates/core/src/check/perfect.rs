@@ -5,8 +5,8 @@ use crate::math::vec3::distance;
 use crate::network::{Network, Node, Strip};
 use crate::shapes::{self, Truth, TruthCurve};
 
-/// A truth as the network that a perfect extraction would give: the polylines as curves of degree 1, a loop's as the
-/// control points of a cubic.
+/// The network of a perfect extraction: the polylines of the truth as curves of degree 1, those of loops as the control points
+/// of a cubic.
 pub(crate) fn perfect(truth: &Truth) -> Network {
     let node =
         |n: &shapes::TruthNode| Node { position: n.position, kind: n.kind, degree: n.degree, source: 0 };

@@ -15,7 +15,7 @@ fn point_faults(strip: &Strip) -> Vec<String> {
     let faults = [
         (points.len() < least).then(|| format!("{} points, at least {least} needed", points.len())),
         (!points.iter().all(finite)).then(|| "a point is not finite".into()),
-        // A length that is not a number is named with the points.
+        // A length that is not a number is reported with the points.
         (strip.length() <= 0.0).then(|| "no length".into()),
         repeat.map(|i| format!("point {i} is repeated")),
         seam.then(|| "closed, and its first point is repeated at the end".into()),
@@ -53,7 +53,7 @@ fn number_faults(strip: &Strip) -> Vec<String> {
     faults.into_iter().flatten().collect()
 }
 
-/// Strips that are another strip once more: the same points from either end, or around a loop from any start.
+/// Repeated strips: the same points from either end, or around a loop from any start.
 pub(super) fn twins(network: &Network) -> Vec<String> {
     let mut traces: Vec<(bool, Trace, usize)> =
         network.strips.iter().enumerate().map(|(i, s)| (s.closed, trace(s), i)).collect();

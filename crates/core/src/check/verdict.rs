@@ -1,6 +1,6 @@
-//! What the checks share.
+//! Shared parts of the checks.
 
-/// Whether there is no fault.
+/// `Ok` without faults.
 pub(super) fn verdict(faults: Vec<String>) -> Result<(), Vec<String>> {
     if faults.is_empty() { Ok(()) } else { Err(faults) }
 }

@@ -1,11 +1,11 @@
-//! Whether a network and a truth are the same graph, whatever their geometry.
+//! Isomorphism: whether a network and a truth are the same graph, whatever their geometry.
 
 use std::collections::BTreeMap;
 
 use crate::network::{Network, StripKind};
 use crate::shapes::Truth;
 
-/// Curves between nodes and loops without any, by kind.
+/// Curves between nodes, and loops without nodes, by kind.
 #[derive(Debug, Default)]
 struct Graph {
     edges: Vec<(u32, u32, StripKind)>,
@@ -16,9 +16,9 @@ struct Graph {
 /// Whether a network and a truth are isomorphic multigraphs: a bijection of the nodes carries creases to creases and
 /// borders to borders, and each has as many closed curves of either kind.
 ///
-/// Nodes in which just two curve ends of one kind meet are dissolved on both sides first, since whether a line's turn is
-/// a node is a matter of degree; nodes without curves do not count. The search is exponential at worst; it takes the
-/// nodes in an order in which each new one hangs on those before it, which keeps it short for networks of parts.
+/// Nodes with exactly two curve ends of one kind are dissolved in both graphs first, as it is a matter of degree whether the
+/// turn of a line is a node; nodes without curves do not count. The search is exponential in the worst case. It takes the nodes
+/// in an order in which each is connected to earlier ones, which keeps it short for networks of parts.
 pub fn isomorphic(network: &Network, truth: &Truth) -> bool {
     let found = network.strips.iter().map(|s| (s.start.zip(s.end), s.kind));
     let known = truth.curves.iter().map(|c| (c.start.zip(c.end), c.kind));
@@ -39,7 +39,7 @@ impl Graph {
         graph
     }
 
-    /// Takes out one node between two ends of one kind; false when there is none.
+    /// Removes one node between two ends of one kind; false if there is none.
     fn dissolve(&mut self) -> bool {
         let mut ends: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
         for (i, &(a, b, _)) in self.edges.iter().enumerate() {
@@ -60,7 +60,7 @@ impl Graph {
         true
     }
 
-    /// For each node, how many curves of either kind lead to each other node.
+    /// The number of curves of either kind from each node to each other.
     fn neighbours(&self) -> BTreeMap<u32, BTreeMap<u32, [usize; 2]>> {
         let mut all: BTreeMap<u32, BTreeMap<u32, [usize; 2]>> = BTreeMap::new();
         for &(a, b, kind) in &self.edges {
@@ -104,7 +104,7 @@ impl Search {
             return false;
         }
         let Some(&node) = self.order.get(depth) else { return true };
-        // Where a neighbour has its image, only that image's neighbours can follow.
+        // If a neighbour has an image, only the image's neighbours come into question.
         let placed = self.a[&node].keys().find_map(|n| self.image.get(n));
         let candidates: Vec<u32> = match placed {
             Some(image) => self.b[image].keys().copied().collect(),

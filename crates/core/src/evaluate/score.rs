@@ -1,13 +1,13 @@
-//! How near a network comes to a known truth, in spacings.
+//! Scores a network by its distances from a known truth, in spacings.
 //!
-//! Both sides are cut into pieces of a fifth of a spacing, and each piece's end is measured to the nearest of the other
-//! side. Stretches of the truth below its `weak_below_deg` count neither for nor against.
+//! Both are cut into pieces of a fifth of a spacing, and the distance of each piece's end from the other is measured. Stretches
+//! of the truth below its `weak_below_deg` count neither for nor against.
 
 use crate::math::vec3::distance;
 use crate::network::{Network, NodeKind};
 use crate::shapes::{Tree, Truth, densify};
 
-/// What [`against`] found.
+/// The score of a network: the result of [`against`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Score {
     /// Shares within one spacing.
@@ -20,16 +20,16 @@ pub struct Score {
     pub from_truth: Distances,
     /// Closed strips, and closed curves of the truth.
     pub loops: [usize; 2],
-    /// Curves of the truth of at least 3 spacings with 90 % of their length within one spacing of the network; of how
-    /// many.
+    /// Curves of the truth with 90 % of their length within one spacing of the network, and all those that count: curves of at
+    /// least 3 spacings.
     pub curves_found: [usize; 2],
-    /// Junctions of the truth within two spacings of a strip's end; of how many.
+    /// Junctions of the truth within two spacings of a strip's end, and all junctions.
     pub junctions_hit: [usize; 2],
     /// Length of all strips in spacings.
     pub length_spacings: f64,
 }
 
-/// Precision, recall and their harmonic mean at one tolerance, from 0 to 1; 0 where there is nothing to count.
+/// Precision, recall and their harmonic mean at one tolerance, from 0 to 1; 0 if there is nothing to count.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hits {
     /// Share of the network's length that is near the truth.
@@ -40,16 +40,16 @@ pub struct Hits {
     pub f1: f64,
 }
 
-/// Distances in spacings; NaN where there is nothing to measure.
+/// Distances in spacings; NaN if there is nothing to measure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Distances {
-    /// Mean along the length.
+    /// Mean distance along the length.
     pub mean: f64,
-    /// Greatest.
+    /// Greatest distance.
     pub max: f64,
 }
 
-/// Scores a network against the truth of a scan with this mean spacing, above 0, in the unit of both.
+/// Scores a network against the truth of a scan; `spacing` is the scan's mean spacing, above 0, in the unit of both.
 pub fn against(network: &Network, truth: &Truth, spacing: f64) -> Score {
     let step = spacing / 5.0;
     let strips = network.strips.iter().filter(|s| s.points.len() > 1);

@@ -2,8 +2,8 @@
 
 use super::vec2::{cross, distance, sub};
 
-/// Those of some points that are vertices of their convex hull, counter-clockwise (Andrew's monotone chain); `at` is where a
-/// point lies. Of points in one place the lowest index counts. O(n log n).
+/// The vertices of the convex hull of some points, counter-clockwise (Andrew's monotone chain); `at` gives the position of a
+/// point. Of points in one place the lowest index counts. O(n log n).
 pub fn convex_hull(points: &[usize], at: impl Fn(usize) -> [f64; 2]) -> Vec<usize> {
     let mut order = points.to_vec();
     order.sort_by(|&a, &b| {

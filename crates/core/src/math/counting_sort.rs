@@ -1,19 +1,19 @@
-//! Sorting by small numbers, in time that grows as their count.
+//! Counting sort: sorts by small numbers in linear time.
 
-/// Steps in a unit: numbers closer than that count as equal.
+/// Steps in a unit: numbers in the same step count as equal.
 const STEPS: f64 = 1024.0;
 /// Numbers above this are not told apart.
 const GREATEST: usize = 16;
 
-/// The indices of numbers that are not negative, ascending by their values to a thousandth, equal ones as they come.
+/// The indices of non-negative numbers, ascending by value to a thousandth; equal numbers keep their order.
 pub(crate) fn ascending(numbers: &[f64]) -> Vec<u32> {
     let step = |&x: &f64| ((x * STEPS) as usize).min(GREATEST * STEPS as usize) as u32;
     let steps: Vec<u32> = numbers.iter().map(step).collect();
     dealt(&steps).0
 }
 
-/// The indices of numbers, ascending by value, equal ones as they come; and `(greatest + 2)` where those of each value
-/// begin.
+/// The indices of numbers, ascending by value, where equal numbers keep their order; and `(greatest + 2)` beginning of the
+/// indices of each value.
 pub(crate) fn dealt(numbers: &[u32]) -> (Vec<u32>, Vec<u32>) {
     let last = numbers.iter().fold(0, |last, &x| x.max(last)) as usize;
     let mut starts = vec![0; last + 2];

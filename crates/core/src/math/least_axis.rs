@@ -1,21 +1,21 @@
-//! The least eigenpair of a symmetric 3 x 3 matrix, without the two others.
+//! The least eigenpair of a symmetric 3 x 3 matrix alone, which is enough for a normal.
 //!
-//! A normal needs no more. Newton's iteration on the characteristic polynomial, started at zero, rises to the least root of
-//! a positive semidefinite matrix without ever passing it, in two to five steps where the points are flat; the vector is the
-//! greatest cross product of two rows of `m - lambda`. About a third of the time of [`eigen3`].
+//! Newton's iteration on the characteristic polynomial, started at zero, rises to the least root of a positive semidefinite
+//! matrix without passing it, in two to five steps for flat points; the vector is the greatest cross product of two rows of
+//! `m - lambda`. It takes about a third of the time of [`eigen3`].
 
 use super::eigen3::{Symmetric3, eigen3};
 use super::vec3::{cross, dot, scale};
 
-/// Steps after which only an iteration towards a double root, whose vector is anything, is not yet at rest.
+/// Number of steps after which only an iteration towards a double root, whose vector is arbitrary, has not converged.
 const STEPS: usize = 16;
-/// Last step of an iteration that has come to rest.
+/// Relative step at which the iteration has converged.
 const AT_REST: f64 = 1e-9;
-/// Product of the gaps to the other eigenvalues, of a trace of one, below which the cross products say too little.
+/// Product of the gaps to the other eigenvalues, for a trace of one, below which the cross products are too inaccurate.
 const LEAST_GAP: f64 = 1e-10;
 
-/// Least eigenvalue and a unit vector that belongs to it. `m` must be positive semidefinite to rounding, and finite; where
-/// it is zero the vector is the z axis.
+/// The least eigenvalue with a unit eigenvector. `m` must be positive semidefinite to rounding, and finite; if it is zero, the
+/// vector is the z axis.
 pub fn least_axis(m: &Symmetric3) -> (f64, [f64; 3]) {
     let trace = m[0] + m[3] + m[5];
     if trace <= 0.0 {

@@ -1,22 +1,22 @@
-//! Otsu's method: the cut of a histogram that leaves its two sides furthest apart.
+//! Otsu's method: the cut of a histogram with the greatest variance between its two classes.
 //!
 //! N. Otsu, *A Threshold Selection Method from Gray-Level Histograms*, IEEE Transactions on Systems, Man, and Cybernetics
 //! 9 (1979), 62-66: for two classes, and in [`otsu3`] for three (section V). Counts are integers, so that the order of the
-//! values has no say.
+//! values does not matter.
 
-/// Where a histogram is cut, and how well.
+/// The cut of a histogram, with its separability.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Otsu {
-    /// Values above this are of the upper class. It lies on the border of two bins.
+    /// Values above this belong to the upper class. It lies on the border of two bins.
     pub threshold: f64,
     /// Share of the variance that the two classes explain, 0 to 1 (Otsu's eta).
     pub separability: f64,
 }
 
-/// Cuts the histogram of `values` over `[0, 1]` in `bins` equal bins; values outside count in the outer bins, those that
-/// are not finite not at all. Where several cuts are equally good, as in a gap of the histogram, the middle one counts.
+/// Cuts the histogram of `values` over `[0, 1]` in `bins` equal bins. Values outside count in the outer bins; values that are
+/// not finite do not count. If several cuts are equally good, as in a gap of the histogram, the middle one is taken.
 ///
-/// `None` when all values fall into one bin: there is nothing to cut.
+/// `None` if all values fall into one bin.
 pub fn otsu(values: &[f32], bins: usize) -> Option<Otsu> {
     let counts = histogram(values, bins);
     let bins = counts.len();
@@ -29,7 +29,7 @@ pub fn otsu(values: &[f32], bins: usize) -> Option<Otsu> {
         below += count as f64 / total;
         moment += count as f64 / total * centre(b);
         let share = below * (1.0 - below);
-        // A share this small is a sum that rounding keeps from being one: all values are below.
+        // Zero but for rounding: all values are on one side.
         let between = if share > 1e-12 { (mean * below - moment).powi(2) / share } else { 0.0 };
         if between > best * (1.0 + 1e-9) {
             (first, last, best) = (b, b, between);
@@ -45,10 +45,10 @@ pub fn otsu(values: &[f32], bins: usize) -> Option<Otsu> {
     })
 }
 
-/// The two borders, the lower first, that cut the histogram of `values` into the three classes furthest apart; values, bins
-/// and ties as in [`otsu`]. Takes `bins` squared steps.
+/// The two cuts, the lower first, of the histogram of `values` with the greatest variance between its three classes; values,
+/// bins and ties as in [`otsu`]. Takes `bins` squared steps.
 ///
-/// `None` when the values fall into fewer than three bins.
+/// `None` if the values fall into fewer than three bins.
 pub fn otsu3(values: &[f32], bins: usize) -> Option<[f64; 2]> {
     let counts = histogram(values, bins);
     if counts.iter().filter(|&&n| n > 0).count() < 3 {
@@ -61,7 +61,7 @@ pub fn otsu3(values: &[f32], bins: usize) -> Option<[f64; 2]> {
         let [number, moment] = sums[b];
         sums.push([number + count as f64, moment + count as f64 * b as f64]);
     }
-    // The variance between the classes is the sum of these, but for a constant.
+    // The variance between the classes is the sum of these, apart from a constant.
     let class = |from: usize, to: usize| {
         let [number, moment] = [0, 1].map(|k| sums[to][k] - sums[from][k]);
         if number > 0.0 { moment * moment / number } else { 0.0 }
@@ -93,7 +93,7 @@ fn histogram(values: &[f32], bins: usize) -> Vec<u64> {
 }
 
 fn bin(value: f32, bins: usize) -> usize {
-    // The cast takes what is below zero to zero.
+    // The cast takes values below zero to zero.
     ((f64::from(value) * bins as f64) as usize).min(bins - 1)
 }
 

@@ -1,6 +1,6 @@
 //! Quantiles of numbers in any order.
 
-/// The number that a share of the others lie below, 0 to 1; 0 for none. Reorders `values`.
+/// The quantile of `values` for a share from 0 to 1; 0 if there are no values. Reorders `values`.
 pub fn quantile(values: &mut [f64], share: f64) -> f64 {
     if values.is_empty() {
         return 0.0;

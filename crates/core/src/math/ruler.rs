@@ -1,11 +1,11 @@
-//! Ascending numbers with a table of where they begin, so that a place among them is found without a search.
+//! A table over ascending numbers, by which a position among them is found in constant time.
 
 /// A table over ascending numbers from 0 on.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ruler {
-    /// Cells in a unit.
+    /// Number of cells in a unit.
     cells: f64,
-    /// For each cell the first number in it or after it.
+    /// The index of the first number in or after each cell.
     starts: Vec<u32>,
 }
 

@@ -7,7 +7,7 @@ use super::vec3::sub;
 /// Centre and correlation ellipsoid of a set of points.
 #[derive(Clone, Copy, Debug)]
 pub struct Ellipsoid {
-    /// Centre relative to the point that the neighbourhood belongs to.
+    /// Centre of the neighbourhood relative to its own point.
     pub centre: [f64; 3],
     /// Axes: `values[i]` is the variance along `vectors[i]`, ascending.
     pub axes: Eigen3,
@@ -40,7 +40,7 @@ fn correlation(points: &[[f64; 3]], own: usize, neighbors: &[u32]) -> ([f64; 3],
     centred(sum, products, (neighbors.len() + 1) as f64)
 }
 
-/// Centre and correlation tensor of vectors of which the sum, the sum of products and the count, or sum of weights, are known.
+/// Centre and correlation tensor from the sum of vectors, the sum of their products, and their count or sum of weights.
 pub fn centred(sum: [f64; 3], products: Symmetric3, count: f64) -> ([f64; 3], Symmetric3) {
     let centre = sum.map(|s| s / count); // equation 2
     let mut tensor = products.map(|p| p / count);

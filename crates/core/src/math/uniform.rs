@@ -1,4 +1,4 @@
-//! Numbers for the tests of this folder, the same each time.
+//! Reproducible random numbers for the tests of this folder.
 
 /// A source of numbers from 0 to 1.
 pub(crate) fn uniform(seed: u64) -> impl FnMut() -> f64 {

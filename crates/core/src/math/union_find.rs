@@ -23,7 +23,7 @@ impl UnionFind {
         x
     }
 
-    /// Joins the sets of `a` and `b`; false when they were one already.
+    /// Joins the sets of `a` and `b`; false if they were one already, as when an edge between them closes a cycle.
     pub fn union(&mut self, a: u32, b: u32) -> bool {
         let (a, b) = (self.find(a), self.find(b));
         if a == b {

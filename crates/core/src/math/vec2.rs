@@ -43,14 +43,14 @@ pub(crate) fn unit(a: [f64; 2]) -> [f64; 2] {
     if length > 0.0 { [a[0] / length, a[1] / length] } else { [0.0; 2] }
 }
 
-/// The mean of points, of which there is one at least; sums run relative to the first.
+/// The mean of at least one point; sums run relative to the first.
 pub(crate) fn mean(points: &[[f64; 2]]) -> [f64; 2] {
     let first = points[0];
     let sum = points.iter().fold([0.0; 2], |s, &p| along(s, sub(p, first), 1.0));
     along(first, sum, 1.0 / points.len() as f64)
 }
 
-/// How far along `a` from `p`, and along `b` from `q`, the two lines meet; `None` if they are parallel.
+/// The distances along `a` from `p`, and along `b` from `q`, at which the two lines meet; `None` if they are parallel.
 pub(crate) fn meet(p: [f64; 2], a: [f64; 2], q: [f64; 2], b: [f64; 2]) -> Option<(f64, f64)> {
     let denominator = cross(a, b);
     if denominator.abs() < 1e-9 {

@@ -11,9 +11,10 @@ use crate::math::tensor::plane_normal;
 use crate::math::vec3::{cross, dot, perpendicular, sub};
 use rayon::prelude::*;
 
-/// A corner of the cell that a bisector passes by no more than this, relative, is not cut off.
+/// Relative distance up to which a bisector touches a corner of the cell without cutting it off.
 const TOUCH: f64 = 1e-9;
-/// Half the side of the square that the cell is clipped from, in distances of the farthest projection: beyond all bisectors.
+/// Half the side of the square from which the cell is clipped, in units of the farthest projection's distance: beyond all
+/// bisectors.
 const BOX: f64 = 64.0;
 
 /// The cell of one point while it is clipped.
@@ -88,7 +89,7 @@ impl Cell {
         self.sides.extend([u32::MAX; 4]);
         for n in 0..self.around.len() {
             let (length2, j, q) = self.around[n];
-            // A bisector lies half as far as its projection: beyond all corners it cuts nothing off.
+            // A bisector lies half as far as its projection; beyond all corners it cuts nothing off.
             let reach = self.corners.iter().map(|c| c[0] * c[0] + c[1] * c[1]).fold(0.0, f64::max);
             if 0.25 * length2 > reach {
                 break;
@@ -100,7 +101,7 @@ impl Cell {
         ring[first..].sort_unstable();
     }
 
-    /// Keeps what lies on the near side of the bisector `x . q = offset`.
+    /// Clips the cell to the near side of the bisector `x . q = offset`.
     fn clip(&mut self, q: [f64; 2], offset: f64, neighbor: u32) {
         let beyond = |c: [f64; 2]| c[0] * q[0] + c[1] * q[1] - offset;
         if self.corners.iter().all(|&c| beyond(c) <= TOUCH * offset) {
@@ -118,7 +119,7 @@ impl Cell {
                 (true, true) => self.push(a, self.sides[n]),
                 (true, false) => {
                     self.push(a, self.sides[n]);
-                    // A corner on the bisector itself is where the new side begins.
+                    // The new side begins at a corner on the bisector itself.
                     if over_a >= -TOUCH * offset {
                         self.next_sides.pop();
                         self.next_sides.push(neighbor);

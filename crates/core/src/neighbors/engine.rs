@@ -1,10 +1,10 @@
 //! The search for the neighbours of all points: one walk through the hierarchy serves the sixteen points of a leaf.
 //!
-//! The walk goes from the leaf up to the root and, beside that path, down into whatever is near, near boxes first.
-//! Boxes are compared with the box of the leaf; a leaf reached is compared with each of the sixteen points, and
-//! its points only with those that it can matter to. All distances are f64: half of the vector width is lost that
-//! way, but distances are a small part of the time (insertion into the lists is the greatest), and nothing has to
-//! be searched twice because of rounding.
+//! The walk goes from the leaf up to the root and, beside that path, down into the near boxes, nearest first. Boxes are
+//! compared with the box of the leaf. The box of a leaf that is reached is compared with each of the sixteen points, and its
+//! points only with those of them for which it is near enough. All distances are f64: this halves the vector width, but
+//! distances take a small part of the time (insertion into the lists takes the greatest), and no search has to be repeated
+//! because of rounding.
 
 use super::found::Found;
 use super::index::Index;
@@ -14,20 +14,20 @@ use super::lists::{Lists, NONE, tied};
 #[cfg(target_arch = "x86_64")]
 use super::simd::{Avx2, Avx512};
 
-/// A search starts with what the one before, next to it, would have needed: this many times its greatest squared
-/// distance. That halves the candidates that enter a list only to leave it again; the few queries that find too
-/// little within start anew.
+/// Bound at which a search starts, as a multiple of the greatest squared distance that the previous search, next to it, found.
+/// It halves the number of candidates that enter a list only to leave it again; the few queries that find too few neighbours
+/// within it start again.
 const GUESS: f64 = 1.3;
 
 /// Which vector instructions a search may use. The results have the same bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Instructions {
-    /// The widest that this machine has.
+    /// The widest vectors of this machine.
     #[default]
     Detected,
-    /// At most 256-bit vectors (AVX2), where the machine has them.
+    /// At most 256-bit vectors (AVX2), if the machine has them.
     Narrow,
-    /// Those that the program was compiled for.
+    /// The vectors for which the program was compiled.
     Baseline,
 }
 
@@ -39,7 +39,7 @@ pub(super) struct Engine<'a> {
     loops: Loops,
 }
 
-/// The inner loops chosen.
+/// The chosen inner loops.
 #[derive(Clone, Copy)]
 enum Loops {
     #[cfg(target_arch = "x86_64")]
@@ -87,8 +87,8 @@ impl<'a> Engine<'a> {
         self.search(leaves.iter().map(|&l| l as usize), lists, |slot, place, _| slot * WIDTH + place);
     }
 
-    /// Searches leaf by leaf; `row` tells from the number of the leaf in the search, the place in it and the point where
-    /// a list goes.
+    /// Searches leaf by leaf; `row` gives the place of a list from the number of the leaf in the search, the place in the leaf
+    /// and the point.
     fn search(
         &self,
         leaves: impl Iterator<Item = usize>,
@@ -104,7 +104,7 @@ impl<'a> Engine<'a> {
         }
     }
 
-    /// Lists are held with one place or more beyond `k`.
+    /// Searches with lists that have at least one place beyond `k`.
     fn search_by<K: Kernel>(
         &self,
         kernel: K,
@@ -144,7 +144,7 @@ impl<'a> Engine<'a> {
         }
     }
 
-    /// Point by point: for more neighbours than the inner loops hold.
+    /// Searches point by point, for more neighbours than the inner loops hold.
     fn search_alone(
         &self,
         leaves: impl Iterator<Item = usize>,
@@ -176,7 +176,7 @@ struct Search<'a, K: Kernel, const N: usize> {
     queries: &'a Leaf,
     around: Aabb,
     lists: &'a mut Lists<N>,
-    /// No candidate beyond this squared distance can matter to any query.
+    /// Squared distance beyond which no query needs a candidate.
     bound: f64,
 }
 
@@ -190,7 +190,7 @@ impl<'a, K: Kernel, const N: usize> Search<'a, K, N> {
         Search { engine, index, kernel, queries, around, lists, bound: guess }
     }
 
-    /// From the leaf up to the root, everything near beside the path.
+    /// Walks from the leaf up to the root, and into everything near beside the path.
     fn run(&mut self, leaf: usize) {
         self.bound = self.lists.bound();
         self.scan(leaf, &self.around.clone());
@@ -201,7 +201,7 @@ impl<'a, K: Kernel, const N: usize> Search<'a, K, N> {
         }
     }
 
-    /// The children of a node, near ones first, but for the one at `skip`.
+    /// Descends into the children of a node, near ones first, except the one at `skip`.
     fn descend(&mut self, level: usize, node: usize, skip: usize) {
         let Some(boxes) = self.index.levels[level].get(node) else { return };
         let distances = self.kernel.boxes(&self.around, boxes);
@@ -232,8 +232,8 @@ impl<'a, K: Kernel, const N: usize> Search<'a, K, N> {
         self.bound = self.lists.bound();
     }
 
-    /// The neighbours of query `q` in their final order. Where the cut of the keys has made distances equal, the
-    /// full ones decide; where such a run goes on beyond the keys held, the query is searched again by itself.
+    /// Writes the neighbours of query `q` in their final order. Where truncated keys are equal, the full distances decide; if
+    /// such a run continues beyond the keys held, the query is searched again by itself.
     fn settle(&self, q: usize, out: &mut [u32]) {
         let keys = &self.lists.keys[q];
         let k = out.len();

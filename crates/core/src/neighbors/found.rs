@@ -1,4 +1,4 @@
-//! What a search returns.
+//! The result of a search: a point and its distance.
 
 /// A point found by a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,7 +10,7 @@ pub struct Found {
 }
 
 impl Found {
-    /// By distance, then by index.
+    /// Order by distance, then by index.
     #[inline]
     pub(super) fn order(&self, other: &Found) -> std::cmp::Ordering {
         self.distance2.total_cmp(&other.distance2).then(self.index.cmp(&other.index))

@@ -10,7 +10,7 @@ use super::found::Found;
 use super::leaf::{Aabb, BLOCK, Leaf, Node, WIDTH};
 use super::split;
 
-/// A search structure over a set of points, for queries at any place.
+/// A search structure over a set of points, for queries anywhere.
 #[derive(Clone, Debug, Default)]
 pub struct Index {
     pub(super) count: usize,
@@ -21,11 +21,11 @@ pub struct Index {
 }
 
 impl Index {
-    /// Over `positions`, `(N, 3)` f64, finite, less than 1e150 apart. In canonical order leaves are compact and
-    /// searches fast; any other order gives the same results.
+    /// Builds the structure over `positions`, `(N, 3)` f64, finite, less than 1e150 apart. In canonical order leaves are compact
+    /// and searches fast; any other order gives the same results.
     pub fn build(positions: &[[f64; 3]]) -> Index {
         let count = positions.len().div_ceil(WIDTH);
-        // Filled by all threads, since the first touch of new memory is what costs.
+        // Filled by all threads, as most of the cost is the first touch of new memory.
         let mut leaves: Vec<Leaf> = (0..count).into_par_iter().map(|_| Leaf::EMPTY).collect();
         let mut boxes = vec![Aabb::EMPTY; count];
         let blocks = positions.par_chunks(BLOCK).zip(leaves.par_chunks_mut(BLOCK / WIDTH));
@@ -55,8 +55,8 @@ impl Index {
         self.count == 0
     }
 
-    /// The `min(k, N)` points nearest to `query`, sorted by (distance, index), into `out`. A point at the query
-    /// itself counts like any other.
+    /// Fills `out` with the `min(k, N)` points nearest to `query`, sorted by (distance, index). A point at the query itself
+    /// counts like any other.
     pub fn nearest(&self, query: [f64; 3], k: usize, out: &mut Vec<Found>) {
         out.clear();
         if k == 0 {
@@ -75,7 +75,7 @@ impl Index {
         });
     }
 
-    /// All points within `radius` of `query`, the bound included, sorted by (distance, index), into `out`.
+    /// Fills `out` with all points within `radius` of `query`, the bound included, sorted by (distance, index).
     pub fn within(&self, query: [f64; 3], radius: f64, out: &mut Vec<Found>) {
         out.clear();
         let bound = radius * radius;
@@ -88,8 +88,8 @@ impl Index {
         out.sort_unstable_by(Found::order);
     }
 
-    /// Hands every point that can be within the squared distance `bound` to `take`, near boxes first; `take`
-    /// returns the bound from then on.
+    /// Passes every point that can be within the squared distance `bound` to `take`, near boxes first; `take` returns the new
+    /// bound.
     fn visit(&self, query: [f64; 3], mut bound: f64, mut take: impl FnMut(Found) -> f64) {
         let top = self.levels.len().saturating_sub(1);
         let mut stack: Vec<(f64, usize, u32)> = vec![(0.0, top + 1, 0)];

@@ -81,8 +81,8 @@ fn scan_one<const K: usize>(at: [f64; 3], id: u32, q: usize, leaf: &Leaf, lists:
     lists.tighten(q);
 }
 
-/// Inserts into a sorted list and lets its last entry go. Keys are compared as the f64 that they are: for those
-/// every machine has a vector minimum and maximum.
+/// Inserts into a sorted list and drops its last entry. Keys are compared as f64, for which every machine has a vector minimum
+/// and maximum.
 #[inline(always)]
 fn insert<const K: usize>(list: &mut [u64; K], key: u64) {
     let key = f64::from_bits(key);

@@ -6,7 +6,7 @@ pub const BLOCK: usize = 1024;
 /// Points in a leaf and children of a node.
 pub(crate) const WIDTH: usize = 16;
 
-/// Sixteen points, coordinate by coordinate. Places that no point fills are infinitely far.
+/// Sixteen points, coordinate by coordinate. Empty places are infinitely far.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct Leaf {
@@ -59,7 +59,7 @@ impl Leaf {
         if self.id[WIDTH - 1] != u32::MAX { WIDTH } else { self.ids().count() }
     }
 
-    /// The components of its points along a vector, place by place; those of empty places mean nothing.
+    /// The components of its points along a vector, place by place; those of empty places are arbitrary.
     #[inline]
     pub(crate) fn along(&self, vector: [f64; 3]) -> [f64; WIDTH] {
         let ([x, y, z], [u, v, w]) = (&self.at, vector);
@@ -100,7 +100,7 @@ impl Node {
         node
     }
 
-    /// Squared distances of the children's boxes from `q`, never above that of a point inside: every step is
+    /// Squared distances of the children's boxes from `q`, never greater than the distance of a point inside: every step is
     /// monotone, rounding included.
     #[inline]
     pub(super) fn distances2(&self, q: [f64; 3]) -> [f64; WIDTH] {

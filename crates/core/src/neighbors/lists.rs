@@ -1,21 +1,21 @@
 //! The nearest candidates of sixteen queries while a search runs.
 //!
-//! A candidate is one number: the upper 32 bits of its squared distance as f64, then its index. Such keys sort by
-//! distance, cut to 21 bits of mantissa, and then by index; what the cut leaves undecided is settled in full
-//! precision when the search is over.
+//! A candidate is one number: the upper 32 bits of its squared distance as f64, then its index. Such keys sort by distance,
+//! truncated to 21 bits of mantissa, and then by index; ties due to the truncation are settled in full precision at the end of
+//! the search.
 
 use super::leaf::WIDTH;
 
-/// The key of no candidate: beyond every finite distance, but itself a finite f64.
+/// The key of an empty place: greater than every finite distance, but itself a finite f64.
 pub(super) const NONE: u64 = f64::MAX.to_bits();
 
 /// Sorted keys of the `K` nearest candidates of each of sixteen queries.
 #[repr(C, align(64))]
 pub(super) struct Lists<const K: usize> {
     pub(super) keys: [[u64; K]; WIDTH],
-    /// A candidate farther than this cannot be among the `k` nearest of the query; at this or less it can.
+    /// The greatest squared distance at which a candidate can be among the `k` nearest of each query.
     pub(super) bounds: [f64; WIDTH],
-    /// How many neighbours are wanted, less than `K`: the rest of the places hold ties with the last.
+    /// The number of neighbours wanted, less than `K`; the remaining places hold ties with the last.
     pub(super) k: usize,
 }
 
@@ -25,15 +25,14 @@ impl<const K: usize> Lists<K> {
         Lists { keys: [[NONE; K]; WIDTH], bounds: [-1.0; WIDTH], k }
     }
 
-    /// Empties the lists for that many queries, to hold candidates no farther than `bound`; the places after them
-    /// ask for nothing.
+    /// Empties the lists for `queries` queries and candidates no farther than `bound`; the lists after them take none.
     pub(super) fn clear(&mut self, queries: usize, bound: f64) {
         self.keys.as_flattened_mut().fill(NONE);
         self.bounds = std::array::from_fn(|q| if q < queries { bound } else { -1.0 });
     }
 
-    /// Starts the lists anew, without a bound, that have found less than `k` within theirs; the others ask for
-    /// nothing more. Whether there are any.
+    /// Restarts the lists that have found fewer than `k` candidates, without a bound; the others take no more. Returns whether
+    /// there are any.
     pub(super) fn retry(&mut self) -> bool {
         let mut any = false;
         for (list, bound) in self.keys.iter_mut().zip(&mut self.bounds) {
@@ -72,13 +71,13 @@ pub(super) fn key(distance2: f64, id: u32) -> u64 {
     distance2.to_bits() & 0xffff_ffff_0000_0000 | u64::from(id)
 }
 
-/// The greatest squared distance that a key may stand for.
+/// The greatest squared distance with this key.
 #[inline(always)]
 pub(super) fn greatest(key: u64) -> f64 {
     f64::from_bits(key | 0xffff_ffff)
 }
 
-/// Whether two keys stand for distances that the cut made equal.
+/// Whether the truncated distances of two keys are equal.
 #[inline(always)]
 pub(super) fn tied(a: u64, b: u64) -> bool {
     a >> 32 == b >> 32

@@ -1,4 +1,4 @@
-//! The nearest neighbours of all points of a cloud, stored or handed on block by block.
+//! The nearest neighbours of all points of a cloud, stored or passed on block by block.
 
 use rayon::prelude::*;
 
@@ -16,7 +16,7 @@ pub fn all_nearest(positions: &[[f64; 3]], k: usize) -> Neighbors {
     all_nearest_with(positions, k, Instructions::Detected)
 }
 
-/// [`all_nearest`] by chosen instructions.
+/// As [`all_nearest`], by chosen instructions.
 pub fn all_nearest_with(positions: &[[f64; 3]], k: usize, instructions: Instructions) -> Neighbors {
     let k = at_most(k, positions);
     let mut indices = vec![0; positions.len() * k];
@@ -30,10 +30,9 @@ pub fn all_nearest_with(positions: &[[f64; 3]], k: usize, instructions: Instruct
     Neighbors { offsets, indices }
 }
 
-/// The lists of [`all_nearest`] block by block, in parallel, without storing them all: `visit(first, lists)` gets
-/// the index of a block's first point and `min(k, N - 1)` neighbours for each of its points, one list after the
-/// other. What it returns comes back in the order of the blocks. With `k` or `N - 1` zero there is nothing to
-/// visit.
+/// Visits the lists of [`all_nearest`] block by block, in parallel, without storing them all: `visit(first, lists)` gets the
+/// index of a block's first point and `min(k, N - 1)` neighbours for each of its points, one list after the other. Its results
+/// are returned in the order of the blocks. If `k` or `N - 1` is zero, nothing is visited.
 pub fn nearest_blocks<R: Send>(
     positions: &[[f64; 3]],
     k: usize,
@@ -45,9 +44,9 @@ pub fn nearest_blocks<R: Send>(
     nearest_blocks_in(&Index::build(positions), positions, k, visit)
 }
 
-/// The lists of the points of some leaves of an index, as [`nearest_blocks`] gives those of blocks: `visit(first, lists)`
-/// gets where in `leaves` a batch of them begins, and for each of its leaves [`WIDTH`] lists of `min(k, N - 1)` neighbours,
-/// those of empty places filled with anything.
+/// Visits the lists of the points of some leaves of an index, as [`nearest_blocks`] does for blocks: `visit(first, lists)` gets
+/// the position in `leaves` of the first leaf of a batch, and for each leaf [`WIDTH`] lists of `min(k, N - 1)` neighbours, of
+/// which those of empty places are arbitrary.
 pub(crate) fn nearest_leaves<R: Send>(
     index: &Index,
     positions: &[[f64; 3]],
@@ -64,7 +63,7 @@ pub(crate) fn nearest_leaves<R: Send>(
     leaves.par_chunks(BATCH).enumerate().map_init(Vec::new, batch).collect()
 }
 
-/// Leaves that are searched one after the other.
+/// Number of leaves that are searched one after the other.
 const BATCH: usize = 16;
 
 /// A search for `min(k, N - 1)` neighbours, and that number; `None` if it is zero.
@@ -78,7 +77,7 @@ fn at_most(k: usize, positions: &[[f64; 3]]) -> usize {
     k.min(positions.len().saturating_sub(1))
 }
 
-/// [`nearest_blocks`] with an index of the same positions that is there already.
+/// As [`nearest_blocks`], with an existing index of the same positions.
 fn nearest_blocks_in<R: Send>(
     index: &Index,
     positions: &[[f64; 3]],

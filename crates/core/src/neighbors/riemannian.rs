@@ -1,7 +1,7 @@
 //! The Riemannian graph (Gumhold, Wang and MacLeod 2001, section 2.1) and neighbourhoods by graph distance.
 //!
-//! An edge joins two points if either is among the `k` nearest of the other. One departure: a point far off, such as a
-//! scanner's stray return, lists points that have nothing to do with it, and is not listed in return.
+//! An edge joins two points if either is among the `k` nearest of the other. One departure: a distant point, such as a
+//! scanner's stray return, lists points of a surface on which it does not lie, and is not listed in return.
 
 use std::ops::Range;
 
@@ -10,18 +10,17 @@ use rayon::prelude::*;
 use super::rows::Neighbors;
 use crate::math::vec3;
 
-/// Parts of the cloud that are worked on at once: a fixed number, few enough for edges to be kept apart by pair.
+/// Number of parts of the cloud that are processed in parallel: fixed, and small enough to separate edges by pairs of parts.
 const PARTS: usize = 64;
-/// A point this many times as far off as the farthest that a point lists does not enter its list.
+/// Multiple of a list's greatest distance above which a point that lists its owner does not enter it.
 const STRAY: f64 = 8.0;
 
-/// The Riemannian graph over `nearest`, which [`all_nearest`](super::all_nearest) gave for the same `(N, 3)`
-/// `positions`: each list joined with the points that list its owner, sorted by (distance, index). The paper takes
-/// `k` from 10 to 16.
+/// The Riemannian graph over `nearest`, the result of [`all_nearest`](super::all_nearest) for the same `(N, 3)` `positions`:
+/// each list joined with the points that list its owner, sorted by (distance, index). The paper takes `k` from 10 to 16.
 ///
-/// A point that lists `i` but that `i` does not list is farther from `i` than all that `i` lists. So each list of
-/// the graph is the one given, and then those other points by distance. One that is 8 times as far is left out: the
-/// only case in which `i` is in a list and its owner not in that of `i`.
+/// A point that lists `i` but is not listed by `i` is farther from `i` than all points in the list of `i`. So each list of the
+/// graph is the given one, followed by those other points by distance. A point more than 8 times as far is left out; this is the
+/// only case in which an edge is in one of its two lists alone.
 pub fn graph(positions: &[[f64; 3]], nearest: &Neighbors) -> Neighbors {
     let size = nearest.len().div_ceil(PARTS).max(1);
     let parts = nearest.len().div_ceil(size);
@@ -39,7 +38,7 @@ struct Edge {
     from: u32,
 }
 
-/// The one-sided edges from some points, apart for each part of `size` points that they lead to.
+/// The one-sided edges from the points of a range, separated by the part of `size` points to which they lead.
 fn one_sided(positions: &[[f64; 3]], nearest: &Neighbors, from: Range<usize>, size: usize) -> Vec<Vec<Edge>> {
     let parts = nearest.len().div_ceil(size);
     let mut edges: Vec<Vec<Edge>> = (0..parts).map(|_| Vec::new()).collect();
@@ -56,7 +55,7 @@ fn one_sided(positions: &[[f64; 3]], nearest: &Neighbors, from: Range<usize>, si
     edges
 }
 
-/// Whether a short list holds a value: compared as a whole, since where it stands is anyone's guess.
+/// Whether a short list holds a value. The whole list is compared, without a branch for each entry.
 #[inline]
 fn contains(list: &[u32], value: u32) -> bool {
     let (eights, rest) = list.as_chunks::<8>();
@@ -67,9 +66,9 @@ fn contains(list: &[u32], value: u32) -> bool {
     equal.iter().fold(0, |a, e| a | e) | rest.iter().fold(0, |a, &x| a | u32::from(x == value)) != 0
 }
 
-/// For the points of a part those that list them one-sidedly.
+/// For each point of a part, the points that list it one-sidedly.
 struct Rows {
-    /// `(P + 1)` where the rows begin.
+    /// `(P + 1)` beginning of each row.
     starts: Vec<u32>,
     indices: Vec<u32>,
 }
@@ -131,11 +130,11 @@ fn join(nearest: &Neighbors, rows: &[Rows], size: usize) -> Neighbors {
     Neighbors { offsets, indices }
 }
 
-/// Memory of a breadth-first search, used again and again without clearing: a point is known as visited by the
-/// number of the search that last came by.
+/// Memory of a breadth-first search, used repeatedly without clearing: each point is stamped with the number of the last search
+/// that visited it.
 ///
-/// It takes 4 bytes a point, one for each thread: fine up to some 10^8 points. Beyond, a hash set of the size of a
-/// neighbourhood would be the better memory.
+/// It takes 4 bytes for each point in each thread, which is acceptable up to about 10^8 points. Beyond, a hash set of the size
+/// of a neighbourhood would be better.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
     visited: Vec<u32>,
@@ -172,7 +171,7 @@ impl Scratch {
         self.found.clear();
     }
 
-    /// Takes a point that has not been found in this search.
+    /// Adds a point that has not been found in this search.
     fn add(&mut self, j: u32) {
         let seen = &mut self.visited[j as usize];
         if *seen != self.search {

@@ -3,7 +3,7 @@
 /// One list of point indices for each point, in compressed rows.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Neighbors {
-    /// `(N + 1)` where each list begins in `indices`; the last is the length of all.
+    /// `(N + 1)` beginning of each list in `indices`, and last the length of `indices`.
     pub offsets: Vec<u64>,
     /// All lists, one after the other.
     pub indices: Vec<u32>,

@@ -1,8 +1,8 @@
 //! The inner loops in vector instructions: the one module of the library with `unsafe` code.
 //!
-//! What is unsafe here is of two kinds. A function compiled for AVX-512 or AVX2 is called: each type below can
-//! only be made by `detect`, after the processor was asked. Vectors are loaded from and stored to arrays, always
-//! through references to as many values as a vector has.
+//! There are two kinds of unsafe code. Functions compiled for AVX-512 or AVX2 are called: each type below can only be made by
+//! `detect`, which asks the processor. Vectors are loaded from and stored to arrays, always through references to as many
+//! values as a vector has.
 
 use std::arch::x86_64::*;
 
@@ -133,7 +133,7 @@ fn boxes(query: &Aabb, node: &Node) -> [f64; WIDTH] {
     out
 }
 
-/// Which of the queries a box can hold a neighbour for, one bit each.
+/// The queries for which a box can hold a neighbour, one bit each.
 #[inline]
 #[target_feature(enable = "avx512f")]
 fn asking(queries: &Leaf, around: &Aabb, bounds: &[f64; WIDTH]) -> u32 {
@@ -179,7 +179,7 @@ fn scan<const K: usize, const R: usize>(queries: &Leaf, leaf: &Leaf, around: &Aa
     }
 }
 
-/// Takes those of sixteen candidates into a list that have a bit in `near`.
+/// Inserts those of sixteen candidates that have a bit in `near` into a list.
 #[inline]
 #[target_feature(enable = "avx512f")]
 fn take<const K: usize, const R: usize>(keys: &[[u64; 8]; 2], mut near: u32, list: &mut [u64; K]) {
@@ -193,8 +193,8 @@ fn take<const K: usize, const R: usize>(keys: &[[u64; 8]; 2], mut near: u32, lis
     list.iter_mut().zip(held).for_each(|(keys, held)| store_keys(keys, held));
 }
 
-/// Inserts into a sorted list and lets its last entry go: each place takes the least of itself and the greater of
-/// the place before and the key.
+/// Inserts into a sorted list and drops its last entry: each place takes the lesser of itself and the greater of the previous
+/// place and the key.
 #[inline]
 #[target_feature(enable = "avx512f")]
 fn insert<const R: usize>(list: &mut [__m512i; R], key: __m512i) {

@@ -1,11 +1,11 @@
-//! A block of points divided into leaves like a k-d tree, by integers of its own coarse grid.
+//! Divides a block of points into leaves like a k-d tree, by integers of its own coarse grid.
 //!
-//! Each point goes into one word: its cell along the axis in question, then its place in the block. Words are quick to
-//! select among; and cells as fine as 2^-22 of the block make leaves as compact as exact coordinates would.
+//! Each point is packed into one word: its cell along the current axis, then its place in the block. Selection among words is
+//! fast, and with cells of 2^-22 of the block leaves are as compact as with exact coordinates.
 
 use super::leaf::{Aabb, BLOCK, Leaf, WIDTH};
 
-/// Bits of a place in a block.
+/// Number of bits for a place in a block.
 const PLACE_BITS: u32 = BLOCK.ilog2();
 /// Cells along the longest side of a block.
 const CELLS: u32 = 1 << (u32::BITS - PLACE_BITS);
@@ -58,7 +58,7 @@ fn halve(cells: &Cells, words: &mut [u32], leaves: usize) {
     halve(cells, high, leaves - half);
 }
 
-/// The axis along which points reach farthest, the first of equal ones.
+/// The axis of the greatest extent, the first among equals.
 fn longest(cells: &Cells, words: &[u32]) -> usize {
     let (mut low, mut high) = ([f32::INFINITY; 4], [f32::NEG_INFINITY; 4]);
     for word in words {

@@ -6,13 +6,13 @@ use super::surface::FaceSurface;
 use super::turns::sin_cos;
 use crate::math::vec3::{cross, norm, sub};
 
-/// What a [`Face`] lacks of its surface.
+/// A trim: a part of the surface that a [`Face`] lacks.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Trim {
-    /// Outside this polygon in `(u, v)` nothing is left.
+    /// Everything outside this polygon in `(u, v)` is cut away.
     Polygon(Vec<[f64; 2]>),
-    /// Inside this endless cylinder nothing is left. On a plane the cylinder must be perpendicular to it, its circle
-    /// inside the polygon and clear of other circles: `Face::area` counts on that.
+    /// Everything inside this endless cylinder is cut away. On a plane the cylinder must be perpendicular to it, its circle
+    /// inside the polygon and clear of other circles: `Face::area` relies on that.
     Cylinder {
         /// A point on the axis.
         origin: [f64; 3],
@@ -26,9 +26,9 @@ pub enum Trim {
 /// A smooth, trimmed piece of the boundary of a shape.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Face {
-    /// The surface that it lies on.
+    /// The surface on which it lies.
     pub surface: FaceSurface,
-    /// All that is cut away.
+    /// The parts that are cut away.
     pub trims: Vec<Trim>,
 }
 
@@ -43,7 +43,7 @@ impl Face {
         self.surface.normal(p)
     }
 
-    /// Whether the point `p` of the surface is left by all trims.
+    /// Whether no trim cuts the point `p` of the surface away.
     pub fn holds(&self, p: [f64; 3]) -> bool {
         self.trims.iter().all(|trim| match trim {
             Trim::Polygon(outline) => {
@@ -66,7 +66,7 @@ impl Face {
         if self.trims.is_empty() { all } else { all * self.share_left(1024) }
     }
 
-    /// The share of the lattice's midpoints that the trims leave, each weighted by its area.
+    /// The share of the lattice's midpoints that no trim cuts away, weighted by their areas.
     fn share_left(&self, n: u32) -> f64 {
         let middle = |i: u32| (f64::from(i) + 0.5) / f64::from(n);
         let (mut left, mut all) = (0.0, 0.0);

@@ -9,7 +9,7 @@ use crate::math::vec3::{add_scaled, distance, dot, sub};
 pub struct LineIndex {
     tree: Tree,
     points: Vec<[f64; 3]>,
-    /// For each point, the points before and after it on its line (itself where the line ends).
+    /// The points before and after each point on its line (itself where the line ends).
     beside: Vec<[u32; 2]>,
     step: f64,
 }
@@ -24,7 +24,7 @@ impl LineIndex {
         d2.sqrt().min(sides[0]).min(sides[1])
     }
 
-    /// The length that no piece exceeds.
+    /// Greatest length of a piece.
     pub fn step(&self) -> f64 {
         self.step
     }
@@ -69,7 +69,7 @@ pub(crate) struct Part {
 }
 
 impl Truth {
-    /// An index of all that must be found: curves without their stretches below `weak_below_deg`.
+    /// An index of all lines that must be found: curves without their stretches below `weak_below_deg`.
     pub fn index(&self, step: f64) -> LineIndex {
         LineIndex::of(self.curves.iter().flat_map(|c| self.parts(c, false)), step)
     }

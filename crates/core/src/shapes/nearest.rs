@@ -1,7 +1,7 @@
 //! A small kd-tree for truth distances, scores and the spacing of a sampled cloud.
 //!
-//! The pipeline does not use it: it has its own engine. This one is short, exact, and knows no pipeline type, so that a
-//! check never rests on the code that it checks.
+//! The pipeline has its own search. This one is short, exact and independent of the pipeline, so that a check never rests on
+//! the code that it checks.
 
 use crate::math::vec3::distance2;
 

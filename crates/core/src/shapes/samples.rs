@@ -4,17 +4,17 @@ use super::parts::*;
 use super::sampling::{Sampled, Sampling, Scan};
 use super::shape::Shape;
 
-/// The sample that shows most: see [`samples`].
+/// The default sample, which shows most: see [`samples`].
 pub const DEFAULT_SAMPLE: &str = "bracket";
 
 /// A ready scan of a shape.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
-    /// What it is asked for by.
+    /// The name by which it is asked for.
     pub name: &'static str,
-    /// One line for a list.
+    /// One line of description for a list.
     pub description: &'static str,
-    /// The scan of a seed.
+    /// Makes the scan with a seed.
     pub make: fn(seed: u64) -> Sampled,
 }
 

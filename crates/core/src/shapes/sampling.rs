@@ -1,4 +1,4 @@
-//! How points come to lie on a shape: on a lattice, at random, or as a scanner sees them.
+//! Sampling of shapes: on a lattice, at random, or by a scanner.
 
 mod lattice;
 mod ray;

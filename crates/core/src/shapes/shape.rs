@@ -6,7 +6,7 @@ use super::truth::Truth;
 /// The boundary of a solid, or a sheet, with the feature network that it has by construction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// What it is.
+    /// Its name.
     pub name: &'static str,
     /// Smooth pieces that meet along the network's creases and end at its borders.
     pub faces: Vec<Face>,
@@ -15,7 +15,7 @@ pub struct Shape {
 }
 
 impl Shape {
-    /// FaceSurface area: the sum of `Face::area`.
+    /// Surface area: the sum of `Face::area`.
     pub fn area(&self) -> f64 {
         self.faces.iter().map(Face::area).sum()
     }

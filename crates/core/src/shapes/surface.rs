@@ -21,7 +21,7 @@ pub struct Axes {
 pub enum FaceSurface {
     /// `origin + u x + v y` with the normal `z`; `(u, v)` from `low` to `high`.
     Plane {
-        /// Where the plane lies.
+        /// The frame of the plane.
         axes: Axes,
         /// Least `(u, v)`.
         low: [f64; 2],
@@ -124,7 +124,7 @@ impl FaceSurface {
         unit(sub(axes.to_world(local), axes.origin))
     }
 
-    /// Distance from a point to the surface, trims left aside.
+    /// Distance from a point to the untrimmed surface.
     pub fn distance(&self, p: [f64; 3]) -> f64 {
         let q = self.axes().to_local(p);
         let r = norm([q[0], q[1], 0.0]);

@@ -1,4 +1,4 @@
-//! The feature network that a shape has by construction.
+//! The truth: the feature network of a shape by construction.
 
 use crate::math::vec3::{add_scaled, cross, distance, dot, norm};
 use crate::network::{NodeKind, StripKind};
@@ -6,24 +6,23 @@ use crate::network::{NodeKind, StripKind};
 /// Vertices on a full circle of the truth: its polyline leaves the circle by at most 1e-5 of the radius.
 pub(crate) const CIRCLE: u32 = 720;
 
-/// A network known without measuring.
+/// A network known by construction.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Truth {
-    /// Where curves meet or end, and apexes.
+    /// The points where curves meet or end, and apexes.
     pub nodes: Vec<TruthNode>,
     /// The creases and borders.
     pub curves: Vec<TruthCurve>,
-    /// Where a crease folds by less than this many degrees, finding it and missing it are both right. 0 but for
-    /// shapes whose creases fade out.
+    /// Fold, in degrees, below which a crease may be found or missed. 0 except for shapes with fading creases.
     pub weak_below_deg: f64,
 }
 
-/// Where curves of a [`Truth`] meet or end.
+/// A point where curves of a [`Truth`] meet or end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TruthNode {
     /// World frame.
     pub position: [f64; 3],
-    /// By the number of curve ends, as in a `Network`.
+    /// The kind, by the number of curve ends, as in a `Network`.
     pub kind: NodeKind,
     /// The number of curve ends here.
     pub degree: u32,
@@ -45,11 +44,11 @@ pub struct TruthCurve {
     /// `(M)` angles between the normals of the two faces, in degrees; empty for a border. From the platform's
     /// arc tangent: the last bit may differ between machines.
     pub fold_deg: Vec<f64>,
-    /// Which way the surface folds.
+    /// The sense in which the surface folds.
     pub fold: Fold,
 }
 
-/// Which way the surface folds along a curve.
+/// The sense in which the surface folds along a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fold {
     /// The solid fills less than half of the space around the crease.
@@ -88,7 +87,7 @@ impl TruthCurve {
         Self::new(StripKind::Border, points, Vec::new(), Fold::Open, ends)
     }
 
-    /// Any curve: closed exactly when it has no ends.
+    /// A curve, closed exactly when it has no ends.
     pub(crate) fn new(
         kind: StripKind,
         points: Vec<[f64; 3]>,
@@ -112,7 +111,7 @@ impl Truth {
         self.nodes.iter().filter(|n| n.kind == kind).count()
     }
 
-    /// Nodes at these positions with the degrees that the curves give them.
+    /// The network of `curves`, with nodes at these positions and the degrees that follow.
     pub(crate) fn with_nodes(positions: &[[f64; 3]], curves: Vec<TruthCurve>) -> Self {
         let mut degrees = vec![0; positions.len()];
         for node in curves.iter().flat_map(|c| [c.start, c.end]).flatten() {

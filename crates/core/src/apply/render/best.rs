@@ -1,4 +1,4 @@
-//! The direction that shows most.
+//! The best direction of view: the one that shows most line and surface.
 
 use rayon::prelude::*;
 
@@ -11,9 +11,9 @@ use super::surfel::{Projected, Surfel};
 
 /// Side of the small trial pictures in pixels.
 const TRIAL: usize = 160;
-/// Surfels of a trial picture, at most; their discs grow to make up for those left out.
+/// Greatest number of surfels of a trial picture; their discs grow to make up for those left out.
 const TRIAL_SURFELS: usize = 15_000;
-/// A view from below has to show this much more than one from above.
+/// Factor by which a view from below must show more than one from above.
 const FROM_BELOW: f64 = 0.85;
 /// Directions around the up axis. The first lies 0.73 steps off the axis, so that none looks along an axis of the
 /// world or its bisector, where edges of square parts would fall together.
@@ -63,13 +63,13 @@ fn candidates(frame: &Camera) -> Vec<([f64; 3], f64)> {
     all
 }
 
-/// Every n-th surfel, and the factor by which discs must grow to cover as much.
+/// Every n-th surfel, and the factor by which discs must grow to cover the same surface.
 fn thinned(surfels: &[Surfel]) -> (Vec<Surfel>, f32) {
     let step = surfels.len().div_ceil(TRIAL_SURFELS).max(1);
     (surfels.iter().step_by(step).copied().collect(), (step as f32).sqrt())
 }
 
-/// Points along the lines, one for each spacing or so, and at most about a thousand a strip.
+/// Points along the lines, about one for each spacing, and at most about a thousand for each strip.
 fn line_samples(scene: &Scene) -> Vec<[f64; 3]> {
     let strips = scene.network.into_iter().flat_map(|n| &n.strips);
     strips.flat_map(|s| s.points.iter().step_by(s.points.len().div_ceil(1000).max(1)).copied()).collect()

@@ -3,10 +3,10 @@
 use crate::error::Error;
 use crate::math::vec3::{add, add_scaled, cross, dot, norm, scale, sub, unit};
 
-/// Where the eye is.
+/// The direction of view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum View {
-    /// The oblique direction that shows most of the lines and the surface.
+    /// The oblique direction that shows most line and surface.
     Best,
     /// Seen from this world direction: a vector from the object towards the eye, of any length but zero.
     From([f64; 3]),
@@ -52,13 +52,13 @@ fn parse_vector(text: &str) -> Option<[f64; 3]> {
 pub(super) struct Camera {
     axes: [[f64; 3]; 3],
     center: [f64; 3],
-    /// Pixels a world unit.
+    /// Pixels for each world unit.
     pub scale: f64,
     middle: [f64; 2],
 }
 
 impl Camera {
-    /// Looks from `from` with `up` upwards; nothing is fitted yet: one pixel a unit, the origin in the corner.
+    /// A camera that looks from `from` with `up` upwards, not yet fitted: one pixel for each unit, the origin in the corner.
     pub fn looking(from: [f64; 3], up: [f64; 3]) -> Self {
         let toward = unit(from);
         let mut right = cross(unit(up), toward);

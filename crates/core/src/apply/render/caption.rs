@@ -1,4 +1,4 @@
-//! The line of text under a picture: what the colours mean, and how many there are.
+//! The caption under a picture: the meaning of the colours, with counts.
 
 use super::picture::{Colour, Picture};
 use super::scene::Scene;
@@ -6,7 +6,7 @@ use super::style::{node_colour, strip_colour};
 use crate::network::{Network, NodeKind, StripKind};
 
 const TEXT: Colour = [0.25, 0.27, 0.30];
-/// Columns and rows of a letter; the last two rows hold what hangs below the line.
+/// Columns and rows of a letter; the last two rows are below the line.
 const LETTER: [usize; 2] = [5, 9];
 
 /// Writes the caption into the lower left corner.
@@ -23,7 +23,7 @@ pub(super) fn draw(scene: &Scene, picture: &mut Picture) {
     }
 }
 
-/// Texts with the colour that stands before each.
+/// The texts, each with the colour before it.
 fn entries(scene: &Scene) -> Vec<(String, Option<Colour>)> {
     let mut entries = vec![(counted(scene.surfels.len(), "point"), None)];
     if let Some(network) = scene.network {
@@ -50,7 +50,7 @@ fn counted(count: usize, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }
 
-/// Writes letters from `[x, y]`, the upper left corner; gives their width.
+/// Writes letters from `[x, y]`, the upper left corner; returns their width.
 fn write(picture: &mut Picture, text: &str, [x, y]: [usize; 2], scale: usize) -> usize {
     let advance = (LETTER[0] + 1) * scale;
     for (i, letter) in text.chars().enumerate() {

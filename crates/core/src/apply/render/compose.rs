@@ -14,7 +14,7 @@ use super::{best, caption, tone};
 use crate::error::Error;
 use crate::network::{Network, NodeKind, StripKind};
 
-/// The surface is drawn with this many pixels for one of the picture, each way, and averaged: smooth outlines.
+/// Pixels of the surface for each pixel of the picture, in either direction; their average gives smooth outlines.
 const FINE: usize = 2;
 /// Opacity of lines behind the surface.
 const HIDDEN_OPACITY: f32 = 0.45;
@@ -62,7 +62,7 @@ fn projected_line(points: &[[f64; 3]], closed: bool, camera: &Camera) -> Vec<[f3
     points.iter().chain(closing).map(|&p| camera.project(p)).collect()
 }
 
-/// How far behind the surface a line still counts as seen, pixels of the fine grid.
+/// Greatest depth behind the surface at which a line still counts as visible, pixels of the fine grid.
 fn bias(spacing: f32) -> f32 {
     LINE_BIAS as f32 * spacing + 2.0
 }

@@ -4,25 +4,25 @@ use rayon::prelude::*;
 
 use super::surfel::Projected;
 
-/// Depth and surfel of the front surface, a value a pixel.
+/// Depth and surfel of the front surface, one value for each pixel.
 pub(super) struct DepthBuffer {
     pub width: usize,
     pub height: usize,
     /// Depth in pixels, greater nearer; minus infinity where there is no surface.
     pub depth: Vec<f32>,
-    /// Index of the surfel seen, `u32::MAX` where there is none.
+    /// Index of the visible surfel, `u32::MAX` where there is none.
     pub surfel: Vec<u32>,
 }
 
 /// Rows that one task fills.
 const BAND: usize = 32;
-/// No disc grows beyond this many pixels, however sparse the cloud.
+/// Greatest radius of a disc in pixels, however sparse the cloud.
 const GREATEST_RADIUS: f32 = 400.0;
-/// Nor does it shrink below this: less would leave pixels between the centres of close points.
+/// Least radius of a disc in pixels: less would leave pixels between the centres of close points.
 const LEAST_RADIUS: f32 = 0.75;
 
 impl DepthBuffer {
-    /// Draws every surfel's disc; the nearest wins, the lower index among equals.
+    /// Draws the disc of every surfel; at each pixel the nearest counts, the lower index among equals.
     pub fn draw(surfels: &[Projected], width: usize, height: usize) -> Self {
         let mut surface = Self {
             width,
@@ -47,14 +47,14 @@ impl DepthBuffer {
         self.index(x, y).map_or(f32::NEG_INFINITY, |i| self.depth[i])
     }
 
-    /// The pixel that holds a position, if the picture does.
+    /// The pixel at a position; `None` outside the picture.
     pub fn index(&self, x: f32, y: f32) -> Option<usize> {
         let inside = x >= 0.0 && y >= 0.0 && x < self.width as f32 && y < self.height as f32;
         inside.then(|| y as usize * self.width + x as usize)
     }
 }
 
-/// For each band of rows the surfels that reach into it, in order.
+/// The surfels that reach into each band of rows, in order.
 fn bands_of(surfels: &[Projected], height: usize) -> Vec<Vec<u32>> {
     let count = height.div_ceil(BAND);
     let reach = |s: &Projected| {

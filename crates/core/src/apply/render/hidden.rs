@@ -1,8 +1,8 @@
-//! Which parts of a line the surface hides.
+//! The hidden parts of a line: those behind the surface.
 
 use super::depth_buffer::DepthBuffer;
 
-/// A part of a line that is seen, or hidden, as a whole.
+/// A part of a line that is visible, or hidden, as a whole.
 pub(super) struct Stretch {
     pub visible: bool,
     /// Positions on the surface's pixel grid, in order; at least two.
@@ -11,7 +11,7 @@ pub(super) struct Stretch {
 
 /// Pixels of the surface between two tests.
 const STEP: f32 = 1.5;
-/// A sample goes with the majority of this many before it, itself and as many after it: single pixels do not flicker.
+/// Number of samples on either side of a sample whose majority, with its own value, decides: so single pixels do not flicker.
 const MAJORITY_REACH: usize = 5;
 
 /// Cuts a line of projected points where it passes behind the surface by more than `bias` pixels of depth.
@@ -41,7 +41,7 @@ pub(super) fn is_visible([x, y, z]: [f32; 3], surface: &DepthBuffer, bias: f32) 
     surface.at(x, y) <= z + bias
 }
 
-/// The points of the line with others between them at most [`STEP`] apart.
+/// The points of the line, and others between them, at most [`STEP`] apart.
 fn resample(line: &[[f32; 3]]) -> Vec<[f32; 3]> {
     let mut samples: Vec<[f32; 3]> = line.first().copied().into_iter().collect();
     for pair in line.windows(2) {
@@ -55,7 +55,7 @@ fn resample(line: &[[f32; 3]]) -> Vec<[f32; 3]> {
     samples
 }
 
-/// Each value replaced by the majority of its neighbourhood, itself where that is even.
+/// The values, each replaced by the majority of its neighbourhood; unchanged where that is even.
 fn majority(seen: &[bool]) -> Vec<bool> {
     let mut sums = vec![0i64];
     for &s in seen {

@@ -1,11 +1,11 @@
 //! A picture in memory.
 
-/// Rows of pixels from the top, three bytes a pixel: red, green, blue (sRGB).
+/// Rows of pixels from the top, three bytes for each pixel: red, green, blue (sRGB).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
-    /// Pixels a row.
+    /// Number of pixels in a row.
     pub width: usize,
-    /// Rows.
+    /// Number of rows.
     pub height: usize,
     /// `(height, width, 3)` bytes.
     pub rgb: Vec<u8>,
@@ -26,7 +26,7 @@ impl Picture {
     }
 }
 
-/// A value from 0 to 1 as a byte; what lies outside is clipped.
+/// A value from 0 to 1 as a byte; values outside are clipped.
 pub(super) fn to_byte(value: f32) -> u8 {
     (value.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
 }

@@ -1,4 +1,4 @@
-//! What is drawn and how.
+//! The scene that is drawn, and the settings of the picture.
 
 use super::camera::View;
 use super::surfel::Surfel;
@@ -6,10 +6,10 @@ use crate::error::Error;
 use crate::math::vec3::norm;
 use crate::network::Network;
 
-/// Pixels that a side of a picture may have.
+/// Least and greatest side of a picture in pixels.
 const SIDES: std::ops::RangeInclusive<usize> = 16..=16_384;
 
-/// What a picture shows.
+/// The contents of a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'a> {
     /// The points, world frame.
@@ -21,10 +21,10 @@ pub struct Scene<'a> {
     pub spacing: f64,
 }
 
-/// How a picture is taken.
+/// The settings of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// Where the eye is.
+    /// The direction of view.
     pub view: View,
     /// The world direction that points up in the picture, of any length.
     pub up: [f64; 3],
@@ -32,7 +32,7 @@ pub struct Settings {
     pub width: usize,
     /// Height of the picture in pixels, 16 to 16,384.
     pub height: usize,
-    /// Whether a line of text says what the colours mean.
+    /// Whether a line of text explains the colours.
     pub caption: bool,
 }
 
@@ -40,7 +40,7 @@ pub struct Settings {
 const FAR: f64 = 1e4;
 
 impl Scene<'_> {
-    /// Whether the lines lie where the points do.
+    /// Checks that the lines lie near the points.
     ///
     /// # Errors
     /// [`Error::Parameter`] for a network with a point farther from the points than ten thousand of their extents.
@@ -76,7 +76,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Whether a picture can be taken with these.
+    /// Checks that a picture can be drawn with these settings.
     ///
     /// # Errors
     /// [`Error::Parameter`] if the width or height is outside its range, or `up` or the view has no direction.

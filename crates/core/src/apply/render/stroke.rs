@@ -1,8 +1,8 @@
-//! Antialiased strokes and dots: coverage is taken from the distance to the shape.
+//! Antialiased strokes and dots: the coverage of a pixel follows from its distance to the shape.
 
 use super::picture::{Colour, Picture};
 
-/// Coverage of one colour, 0 to 1 a pixel. Shapes that overlap cover once, so joints do not darken.
+/// Coverage of each pixel by one colour, 0 to 1. Overlapping shapes cover once, so joints do not darken.
 pub(super) struct Mask {
     width: usize,
     height: usize,
@@ -10,7 +10,7 @@ pub(super) struct Mask {
 }
 
 impl Mask {
-    /// Nothing covered.
+    /// A mask without any coverage.
     pub fn new(width: usize, height: usize) -> Self {
         Self { width, height, coverage: vec![0.0; width * height] }
     }
@@ -20,7 +20,7 @@ impl Mask {
         points.windows(2).for_each(|pair| self.segment(pair[0], pair[1], 0.5 * width));
     }
 
-    /// Covers dashes of a line: `dash` pixels drawn, `gap` pixels left out, from its first point on.
+    /// Covers dashes of a line: `dash` pixels drawn, `gap` pixels left out, beginning at its first point.
     pub fn dashes(&mut self, points: &[[f32; 2]], width: f32, dash: f32, gap: f32) {
         let mut along = 0.0;
         for pair in points.windows(2) {
@@ -52,7 +52,7 @@ impl Mask {
         }
     }
 
-    /// Lays the covered pixels over the picture in one colour.
+    /// Draws the covered pixels over the picture in one colour.
     pub fn paint(&self, picture: &mut Picture, colour: Colour, opacity: f32) {
         for (i, &cover) in self.coverage.iter().enumerate() {
             if cover > 0.0 {

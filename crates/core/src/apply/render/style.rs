@@ -1,12 +1,12 @@
-//! Colours of lines and nodes, and when they count as seen.
+//! Colours of lines and nodes, and the tolerance for visible lines.
 
 use super::picture::Colour;
 use crate::network::{NodeKind, StripKind};
 
-/// Spacings that a line may lie behind the surface and still be seen.
+/// Greatest depth of a visible line behind the surface, spacings.
 pub(super) const LINE_BIAS: f64 = 2.5;
 
-/// The colour of a kind of line; told apart by the colour-blind too.
+/// The colour of a kind of line; colour-blind people can tell them apart too.
 pub(super) fn strip_colour(kind: StripKind) -> Colour {
     match kind {
         StripKind::Crease => [0.80, 0.20, 0.02],

@@ -1,4 +1,4 @@
-//! Points as small discs.
+//! Surfels: points as small discs.
 
 use rayon::prelude::*;
 
@@ -11,30 +11,30 @@ use crate::math::tensor::scatter;
 use crate::math::vec3::{add, add_scaled, distance, dot, norm, scale, sub};
 use crate::neighbors::{BLOCK, mean_distance, nearest_blocks};
 
-/// A point with the disc that stands for its piece of the surface.
+/// A point with the disc that represents its part of the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surfel {
     /// World frame.
     pub position: [f64; 3],
-    /// Middle of the disc, world frame: the point itself but for borders and edges.
+    /// Middle of the disc, world frame: the point itself except at borders and edges.
     pub center: [f64; 3],
-    /// Unit normal, either sign; zero where none is known, and the disc then faces the eye.
+    /// Unit normal, either sign; zero if none is known, in which case the disc faces the eye.
     pub normal: [f32; 3],
-    /// Radius that closes the gaps to the neighbours, in the unit of the points.
+    /// Radius, large enough to close the gaps to the neighbours, in the unit of the points.
     pub radius: f64,
 }
 
-/// Neighbours that the normal is fitted to.
+/// Number of neighbours to which the normal is fitted.
 const NEIGHBORS: usize = 16;
-/// The radius reaches the neighbour of this rank: two steps of a square grid, and of random points on a surface it
-/// leaves one place in 20,000 uncovered.
+/// Rank of the neighbour up to which the radius reaches: two steps of a square grid; on a surface of random points one place in
+/// 20,000 is left uncovered.
 const RADIUS_RANK: usize = 10;
-/// How far the middle of the neighbours lies from the point, in radii, where it begins to tell of a border, and where
-/// there is no doubt: half a disc has its middle at 0.42 radii, random points in a whole one seldom beyond 0.25.
+/// Distances of the middle of the neighbours from the point, in radii, at which a border becomes possible and certain: half a
+/// disc has its middle at 0.42 radii, random points in a whole disc seldom beyond 0.25.
 const BORDER_LEAN: [f64; 2] = [0.22, 0.38];
 /// The same across the fitted plane: half a disc on either side of a right angle has its middle 0.3 radii below.
 const EDGE_LEAN: [f64; 2] = [0.08, 0.2];
-/// Discs of outliers are cut to this many median radii.
+/// Greatest radius of a disc, in median radii: larger discs are those of outliers.
 const GREATEST_RADIUS: f64 = 4.0;
 
 /// The discs of a cloud's finite, distinct points, and their mean spacing (the mean distance to the six nearest).
@@ -70,8 +70,8 @@ pub fn surfels(world: &Cloud) -> Result<(Vec<Surfel>, f64), Error> {
     Ok((discs.par_iter().map(to_world).collect(), spacing * local.frame.scale))
 }
 
-/// The disc of point `i`, in the plane fitted to it and its neighbours. Where neighbours lie on one side only, at a
-/// border or an edge, the disc moves to their middle and shrinks by as much, so that it does not stick out.
+/// The disc of point `i`, in the plane fitted to it and its neighbours. At a border or an edge, where neighbours lie on one side
+/// only, the disc moves to their middle and shrinks by the same amount, so that it does not stick out.
 fn disc(points: &[[f64; 3]], i: usize, near: &[u32]) -> Surfel {
     let own = points[i];
     let axes = eigen3(&correlation(points, own, near));
@@ -86,12 +86,12 @@ fn disc(points: &[[f64; 3]], i: usize, near: &[u32]) -> Surfel {
     Surfel { position: own, center: add(own, lean), normal, radius: (reach - norm(lean)).max(0.3 * reach) }
 }
 
-/// 0 up to the first bound, 1 from the second on.
+/// A ramp: 0 up to the first bound, 1 from the second on.
 fn ramp(value: f64, [low, high]: [f64; 2]) -> f64 {
     ((value - low) / (high - low)).clamp(0.0, 1.0)
 }
 
-/// Mean of the offsets of the neighbours and of the point itself, which is none.
+/// Mean offset of the neighbours and of the point itself, whose offset is zero.
 fn mean_offset(points: &[[f64; 3]], own: [f64; 3], near: &[u32]) -> [f64; 3] {
     let share = 1.0 / (near.len() + 1) as f64;
     near.iter().fold([0.0; 3], |sum, &j| add_scaled(sum, sub(points[j as usize], own), share))
@@ -133,15 +133,15 @@ pub(super) struct Projected {
     pub center: [f32; 3],
     /// Unit normal in the axes of the picture (y up), turned to the eye.
     pub normal: [f32; 3],
-    /// Pixels.
+    /// Radius in pixels.
     pub radius: f32,
 }
 
-/// How much a disc may be tilted before it is drawn as if it were less: keeps it from becoming a needle.
+/// Greatest tilt with which a disc is drawn, so that it does not become a needle.
 const LEAST_FACING: f32 = 0.15;
 
 impl Projected {
-    /// Change of depth a pixel to the right and a pixel down on the disc.
+    /// Change of depth on the disc for one pixel to the right and one pixel down.
     pub fn slope(&self) -> [f32; 2] {
         let facing = self.normal[2].max(LEAST_FACING);
         [-self.normal[0] / facing, self.normal[1] / facing]

@@ -11,9 +11,9 @@ const LIGHT: [f32; 3] = [-0.42, 0.50, 0.757];
 /// Tone of a surface that faces away from the light, and of one that faces it; 1 is the white of the paper.
 const DARKEST: f32 = 0.42;
 const LIGHTEST: f32 = 0.86;
-/// How far the farthest surface fades towards the paper.
+/// Share by which the farthest surface fades towards the paper.
 const FADE: f32 = 0.30;
-/// From this distance of neighbours in fine pixels on, points are drawn as dots on a paler surface.
+/// Distance of neighbours in fine pixels above which points are drawn as dots on a paler surface.
 const DOTS_FROM: f32 = 8.0;
 /// Greatest radius of a dot in fine pixels.
 const GREATEST_DOT: f32 = 9.0;
@@ -22,7 +22,7 @@ const DOT_TONE: f32 = 0.62;
 /// Colour of tone 0; tone 1 is white.
 const INK: Colour = [0.10, 0.13, 0.17];
 
-/// A tone a pixel of the surface: 1 where there is nothing.
+/// The tone of each pixel of the surface: 1 where there is none.
 pub(super) fn shaded(surfels: &[Projected], surface: &DepthBuffer, spacing: f32) -> Vec<f32> {
     let range = depth_range(surface);
     let dotted = spacing >= DOTS_FROM;
@@ -58,7 +58,7 @@ fn tone(s: &Projected, [far, near]: [f32; 2]) -> f32 {
     tone + (1.0 - tone) * FADE * away
 }
 
-/// A small disc in the tangent plane, where the surface in front of it leaves it in sight.
+/// Draws a small disc in the tangent plane, where the surface does not hide it.
 fn draw_dot(s: &Projected, radius: f32, tone: f32, surface: &DepthBuffer, fine: &mut [f32]) {
     let [sx, sy] = s.slope();
     let reach = radius.ceil() as i32;

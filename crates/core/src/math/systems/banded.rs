@@ -3,8 +3,8 @@
 /// Half-width of the band.
 pub const HALF: usize = 3;
 
-/// Solves for one right side of `D` columns. `band[k][i]` is the entry of row `k` and column `k + i`. `None` where a pivot
-/// is not positive.
+/// Solves for one right side of `D` columns. `band[k][i]` is the entry of row `k` and column `k + i`. `None` if a pivot is not
+/// positive.
 pub fn solve<const D: usize>(
     mut band: Vec<[f64; HALF + 1]>,
     mut right: Vec<[f64; D]>,

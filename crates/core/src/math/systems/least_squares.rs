@@ -1,10 +1,10 @@
 //! Linear least squares with few unknowns.
 
-/// Least pivot of the normal equations, of a diagonal entry, at which the rows determine the unknown.
+/// Least pivot of the normal equations, relative to the diagonal entry, at which the rows determine the unknown.
 const LEAST_PIVOT: f64 = 1e-9;
 
-/// The `x` that minimises the sum of `(a . x - b)^2` over rows `(a, b)`, by the normal equations; `None` where the rows do not
-/// determine it, or a value is no number.
+/// The `x` that minimises the sum of `(a . x - b)^2` over rows `(a, b)`, by the normal equations; `None` if the rows do not
+/// determine it, or if a value is not a number.
 pub fn least_squares<const N: usize>(rows: impl Iterator<Item = ([f64; N], f64)>) -> Option<[f64; N]> {
     let (mut m, mut right) = ([[0.0; N]; N], [0.0; N]);
     for (a, b) in rows {
@@ -20,7 +20,7 @@ pub fn least_squares<const N: usize>(rows: impl Iterator<Item = ([f64; N], f64)>
 fn solve<const N: usize>(mut m: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
     let diagonal: [f64; N] = std::array::from_fn(|i| m[i][i]);
     for i in 0..N {
-        // Written so that a pivot that is no number is refused too.
+        // Written so that a pivot that is not a number is refused too.
         let sound = m[i][i] > LEAST_PIVOT * diagonal[i];
         if !sound {
             return None;

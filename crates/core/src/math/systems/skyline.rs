@@ -36,8 +36,7 @@ impl Skyline {
         self.first.len()
     }
 
-    /// Factorises in place to `L L^t`; false when a pivot is not positive, that is when the matrix is singular to
-    /// rounding.
+    /// Factorises in place to `L L^t`; false if a pivot is not positive, that is, if the matrix is singular to rounding.
     pub fn factorise(&mut self) -> bool {
         for i in 0..self.len() {
             let diagonal = self.values[self.start[i + 1] - 1];

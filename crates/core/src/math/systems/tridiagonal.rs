@@ -2,7 +2,8 @@
 
 use crate::math::vec2::along;
 
-/// Solves a system for two right sides (Thomas); `upper[k]` stands between the rows `k` and `k + 1`, the last one is not read.
+/// Solves an open system for two right sides (Thomas); `upper[k]` couples the rows `k` and `k + 1`, and the last one is not
+/// read.
 pub fn open(diagonal: &[f64], upper: &[f64], right: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let n = diagonal.len();
     let mut pivots = diagonal.to_vec();
@@ -19,7 +20,7 @@ pub fn open(diagonal: &[f64], upper: &[f64], right: &[[f64; 2]]) -> Vec<[f64; 2]
     solved
 }
 
-/// Solves one whose last row and column lead back to the first, by `upper[n - 1]` (Sherman-Morrison formula).
+/// Solves a cyclic system, whose last row is coupled with the first by `upper[n - 1]` (Sherman-Morrison formula).
 pub fn cyclic(diagonal: &[f64], upper: &[f64], right: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let n = diagonal.len();
     let corner = upper[n - 1];

@@ -51,8 +51,8 @@ impl<const D: usize> Tree<D> {
         }
     }
 
-    /// The `K` points within `radius` that are nearest to `centre` as (squared distance, index), nearest first; an index
-    /// of `u32::MAX` where there are fewer.
+    /// The `K` points within `radius` nearest to `centre` as (squared distance, index), nearest first; the index is `u32::MAX`
+    /// where there are fewer.
     pub(crate) fn nearest<const K: usize>(&self, centre: [f64; D], radius: f64) -> [(f64, u32); K] {
         let mut best = [(radius * radius, u32::MAX); K];
         self.approach(0, self.places.len(), centre, &mut best);

@@ -1,11 +1,11 @@
-//! A tree over points that come in runs beside each other, as the samples of a slab do tile by tile: eight in a row are a
-//! leaf, eight leaves in a row a node, so that nothing needs to be sorted.
+//! A tree over points in an order that keeps neighbours together, such as the samples of a slab tile by tile: eight points in a
+//! row are a leaf, eight leaves in a row a node, so that nothing needs to be sorted.
 
 /// Points of a leaf and children of a node.
 const WIDTH: usize = 8;
 
-/// Points in the plane; queries report indices into the slice it was built from. Any order gives the same points found; the
-/// farther apart points in a row lie, the slower.
+/// Points in the plane under a tree; queries report indices into the slice from which it was built. Any order gives the same
+/// results; the farther apart successive points lie, the slower the search.
 pub(crate) struct Packed {
     count: usize,
     leaves: Vec<Leaf>,
@@ -17,8 +17,8 @@ pub(crate) struct Packed {
 /// Eight points, coordinate by coordinate; empty places are infinitely far.
 struct Leaf([[f64; WIDTH]; 2]);
 
-/// The boxes of eight children, made a little wider by rounding outwards: half the numbers, and twice as many of them compared
-/// at a time. Those without a child are infinitely far.
+/// The boxes of eight children in single precision, rounded outwards: half the memory, and twice as many compared at a time.
+/// Boxes without a child are infinitely far.
 struct Node {
     min: [[f32; WIDTH]; 2],
     max: [[f32; WIDTH]; 2],
@@ -32,7 +32,7 @@ struct Bounds {
 }
 
 impl Packed {
-    /// Over finite points.
+    /// Builds the tree over finite points.
     pub(crate) fn new(points: &[[f64; 2]]) -> Self {
         let leaves = points.chunks(WIDTH).map(Leaf::new).collect();
         let mut bounds: Vec<Bounds> = points.chunks(WIDTH).map(Bounds::of).collect();
@@ -52,7 +52,7 @@ impl Packed {
         }
     }
 
-    /// Whether a leaf reaches within `radius` of `centre`: where none does, no point does.
+    /// Whether the box of any leaf reaches within `radius` of `centre`; if not, no point lies there.
     pub(crate) fn any(&self, centre: [f64; 2], radius: f64) -> bool {
         self.count > 0 && self.reaches(self.levels.len() - 1, 0, &Ball::new(centre, radius))
     }

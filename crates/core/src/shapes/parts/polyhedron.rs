@@ -9,12 +9,12 @@ use crate::shapes::surface::{Axes, FaceSurface};
 use crate::shapes::truth::{Fold, Truth, TruthCurve, fold_between};
 
 /// Faces with their corners in order, seen from outside turning left. An edge of two faces becomes a crease (no
-/// curve, if the faces are coplanar), an edge of one face a border; corners are the nodes, so that each is to turn.
+/// curve if the faces are coplanar), an edge of one face a border. Corners become nodes, so at each of them the edges must turn.
 ///
 /// Corners of a face (at least three, distinct) must lie in one plane, and each edge belong to at most two faces.
 pub(super) fn polyhedron(name: &'static str, corners: &[[f64; 3]], outlines: &[&[u32]]) -> Shape {
     let faces: Vec<Face> = outlines.iter().map(|outline| plane_face(corners, outline)).collect();
-    // For each edge, its faces with the way in which they pass it.
+    // The faces of each edge, with the direction in which they pass it.
     let mut edges: BTreeMap<[u32; 2], Vec<(usize, bool)>> = BTreeMap::new();
     for (id, outline) in outlines.iter().enumerate() {
         for (&a, &b) in outline.iter().zip(outline.iter().cycle().skip(1)) {

@@ -1,9 +1,9 @@
 //! Regular lattices on faces and along curves: the grid sampling.
 //!
-//! Points lie at equal steps along every curve of the truth, nodes once, and inside each face on a lattice of its own
-//! parameters; lattice points nearer than half a step to a curve or node give way to it. On a cube whose edge is a
-//! whole number of steps that is the grid whose faces share their edge points. On round curves the points lie on the
-//! truth's chords, 1e-5 of the radius within the circle at most.
+//! Points lie at equal steps along every curve of the truth, with nodes once, and inside each face on a lattice in its own
+//! parameters, without lattice points nearer than half a step to a curve or node. On a cube whose edge is a whole number of
+//! steps this is the grid whose faces share their edge points. On round curves the points lie on the chords of the truth, at
+//! most 1e-5 of the radius inside the circle.
 
 use std::f64::consts::TAU;
 

@@ -1,10 +1,10 @@
-//! Where a ray meets a face: the scanner's eye.
+//! Intersections of rays and faces, for the scanner.
 
 use crate::math::vec3::{add_scaled, dot};
 use crate::shapes::face::Face;
 use crate::shapes::surface::{Axes, FaceSurface};
 
-/// Steps in which a torus is searched along a ray. A graze between two steps is missed, as a scanner would miss it.
+/// Number of steps in which a torus is searched along a ray. A graze between two steps is missed, as a scanner would miss it.
 const STEPS: u32 = 128;
 
 impl Face {

@@ -1,4 +1,4 @@
-//! How a shape is sampled, and what comes of it.
+//! Scans: the settings by which a shape is sampled, and the sampled cloud with its truth.
 
 use super::{lattice, scanner, uniform};
 use crate::cloud::Cloud;
@@ -7,20 +7,20 @@ use crate::shapes::random::Rng;
 use crate::shapes::shape::Shape;
 use crate::shapes::truth::Truth;
 
-/// A way to sample a shape: where the points lie, and what spoils them.
+/// The settings of a scan: positions of the points, noise, gradient and seed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scan {
-    /// Where the points lie.
+    /// The positions of the points.
     pub sampling: Sampling,
-    /// What is added to each coordinate.
+    /// The noise added to each coordinate.
     pub noise: Noise,
     /// Thinning along an axis.
     pub gradient: Option<Gradient>,
-    /// Same seed, same bits, on every machine.
+    /// The seed: the same seed gives the same bits on every machine.
     pub seed: u64,
 }
 
-/// Where the points of a [`Scan`] lie.
+/// The positions of the points of a [`Scan`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sampling {
     /// On lattices, edges and corners included: at equal steps along each curve of the truth, and on a lattice inside
@@ -39,7 +39,7 @@ pub enum Sampling {
         /// Number of points.
         count: usize,
     },
-    /// What a range scanner sees from around the shape: the first surface along each ray of a raster.
+    /// The view of a range scanner from around the shape: the first surface along each ray of a raster.
     Scanner {
         /// Number of views, in directions spread evenly over the sphere.
         views: u32,
@@ -47,7 +47,7 @@ pub enum Sampling {
         pitch: f64,
         /// Distance of the eye from the centre in radii of the bounding sphere, above 1; `None`: parallel rays.
         distance: Option<f64>,
-        /// Rays that meet the surface at more than this angle from its normal are lost.
+        /// Angle between ray and normal above which a ray is lost.
         grazing_deg: f64,
     },
 }
@@ -55,7 +55,7 @@ pub enum Sampling {
 /// Gaussian noise of the same standard deviation on each coordinate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Noise {
-    /// None.
+    /// No noise.
     None,
     /// Standard deviation in mean spacings of the noise-free cloud.
     Spacings(f64),
@@ -68,18 +68,18 @@ pub enum Noise {
 pub struct Gradient {
     /// 0 for x, 1 for y, 2 for z.
     pub axis: usize,
-    /// Density at the low end over that at the high end, at least 1. Points are taken away, none added.
+    /// Ratio of the density at the low end to that at the high end, at least 1. Points are removed, none added.
     pub ratio: f64,
 }
 
-/// A sampled shape with all that is known of it.
+/// A sampled shape with its truth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sampled {
-    /// What a scanner would hand over.
+    /// The cloud that a scanner would deliver.
     pub cloud: Cloud,
-    /// `(N, 3)`: the same points without noise.
+    /// `(N, 3)` the same points without noise.
     pub clean: Vec<[f64; 3]>,
-    /// `(N)`: the face of the shape that each point was taken from.
+    /// `(N)` face of the shape from which each point was taken.
     pub faces: Vec<u32>,
     /// The shape's network.
     pub truth: Truth,

@@ -39,7 +39,7 @@ pub(super) fn scan(shape: &Shape, rig: &Rig, rng: &mut Rng) -> (Vec<[f64; 3]>, V
     (points, faces)
 }
 
-/// The nearest face along a ray; `None` also if it is met at too flat an angle to be measured.
+/// The nearest face along a ray; `None` if there is none, or if the angle is too flat for a measurement.
 fn first_hit(
     shape: &Shape,
     eye: [f64; 3],

@@ -6,16 +6,16 @@ use crate::math::vec3::distance2;
 use crate::shapes::random::Rng;
 use crate::shapes::shape::Shape;
 
-/// Darts thrown for each point of a blue-noise cloud.
+/// Number of darts thrown for each point of a blue-noise cloud.
 const DARTS: usize = 8;
-/// Halvings of the range in which the least distance is searched.
+/// Number of halvings of the range in which the least distance is searched.
 const HALVINGS: usize = 6;
-/// Points in a row that trims take before a shape counts as all trimmed away.
+/// Number of successive points in trims after which a shape counts as trimmed away altogether.
 const MISSES: u32 = 10_000_000;
-/// End of a chain.
+/// The end of a chain.
 const NONE: u32 = u32::MAX;
 
-/// `(N, 3)` independent points, uniform by area, and the face of each. No point, if trims leave no area.
+/// `(N, 3)` independent points, uniform by area, and the face of each. No points if trims leave no area.
 pub(super) fn by_area(shape: &Shape, count: usize, rng: &mut Rng) -> (Vec<[f64; 3]>, Vec<u32>) {
     let mut sums = Vec::with_capacity(shape.faces.len());
     let total = shape.faces.iter().fold(0.0, |sum, face| {
@@ -60,8 +60,8 @@ pub(super) fn blue_noise(shape: &Shape, count: usize, rng: &mut Rng) -> (Vec<[f6
     kept.iter().map(|&i| (darts[i as usize], faces[i as usize])).unzip()
 }
 
-/// The darts that lie at least `radius` from all kept before them. Cells of that size are hashed into chained buckets;
-/// cells that share a bucket cost a few distances more and change nothing.
+/// The darts that lie at least `radius` from all darts kept before them. Cells of that size are hashed into chained buckets;
+/// cells that share a bucket cost a few more distances and do not change the result.
 fn apart(darts: &[[f64; 3]], radius: f64) -> Vec<u32> {
     let buckets = darts.len().next_power_of_two();
     let mut heads = vec![NONE; buckets];
@@ -75,7 +75,7 @@ fn apart(darts: &[[f64; 3]], radius: f64) -> Vec<u32> {
     let mut kept = Vec::new();
     for (i, &p) in (0..).zip(darts) {
         let cell = p.map(|x| (x / radius).floor() as i64);
-        // Cell 13 of the 27 is the dart's own, where it is most often too close: that one first.
+        // Cell 13 of the 27 is the dart's own, in which it is most often too close: it is tried first.
         let order = (13..40).map(|n| n % 27);
         let near = order.map(|n| [cell[0] + n % 3 - 1, cell[1] + n / 3 % 3 - 1, cell[2] + n / 9 - 1]);
         let mut chains = near.map(|c| heads[bucket(c)]);
