@@ -137,7 +137,7 @@ pub(super) struct Projected {
     pub radius: f32,
 }
 
-/// Greatest tilt with which a disc is drawn, so that it does not become a needle.
+/// Least cosine between the normal of a disc and the direction to the eye as drawn, so that it does not become a needle.
 const LEAST_FACING: f32 = 0.15;
 
 impl Projected {
