@@ -9,7 +9,9 @@ use crate::source::Input;
 /// Lines about an extraction, without the time. With `verbose`, also automatic values and omissions.
 pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> {
     let report = &extraction.report;
-    let mut lines = vec![points(input, report), resolution(report), counts(&extraction.network)];
+    let mut lines = vec![points(input, report)];
+    lines.extend(report.surface.unused(report.read));
+    lines.extend([resolution(report), counts(&extraction.network)]);
     lines.extend(warnings(input));
     lines.extend(report.notes.iter().map(|note| format!("note: {note}")));
     if verbose {
@@ -37,6 +39,8 @@ pub fn unplaced(input: &Input, outputs: &[PathBuf]) -> Option<String> {
     Some(format!("warning: {} has no coordinate reference system: {why}", output.display()))
 }
 
+/// Ratio of the spacings that nine in ten points lie between from which on both are told.
+const UNEVEN: f64 = 2.0;
 /// Extensions of outputs for maps.
 const MAPS: [&str; 2] = ["geojson", "gpkg"];
 
@@ -54,7 +58,14 @@ pub fn read(input: &Input, counts: [usize; 3]) -> String {
 /// Spacing and noise.
 pub fn resolution(report: &Report) -> String {
     let share = if report.spacing > 0.0 { report.noise / report.spacing } else { 0.0 };
-    format!("spacing {}, noise {} ({share:.2} spacings)", figure(report.spacing), figure(report.noise))
+    let [least, most] = report.surface.spread;
+    let uneven = most > UNEVEN * least;
+    let spread = if uneven { format!(" ({} to {})", figure(least), figure(most)) } else { String::new() };
+    format!(
+        "spacing {}{spread}, noise {} ({share:.2} spacings)",
+        figure(report.spacing),
+        figure(report.noise)
+    )
 }
 
 fn counts(network: &Network) -> String {

@@ -72,12 +72,10 @@ fn pipeline(
     });
     let class =
         measure.class.clone().unwrap_or_else(|| classes(&cloud.positions, &network, cloud.resolution));
-    let report = Report {
-        stages: clock.stages,
-        settings: method::settings(&cloud, params),
-        notes: method::notes(&cloud, clusters.as_ref(), params),
-        ..cloud.report()
-    };
+    let mut report = cloud.report();
+    report.stages = clock.stages;
+    report.settings = method::settings(&cloud, params);
+    report.notes.extend(method::notes(&cloud, clusters.as_ref(), params));
     let Prepared { frame, source, canonical, clutter, .. } = cloud;
     let (network, stay) = to_world(network, &frame, &source);
     let patches = patches.map(|p| p.placed(&frame).of_strips(&stay));

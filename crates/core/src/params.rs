@@ -28,9 +28,10 @@ sections! {
 
     /// Surface and clutter.
     surface: SurfaceParams {
-        /// What becomes of points that lie on no surface, such as leaves, stray returns and veils between surfaces: `leave-out` has no
-        /// line follow them, `keep` treats them as surface.
-        clutter: Clutter = Clutter::LeaveOut, "", 0.0..=0.0;
+        /// Points that lie on no surface, such as leaves, stray returns and veils between surfaces, and points in excess, in rows and where
+        /// noise exceeds their spacing: `leave-out` has no line follow them, `keep` treats them as surface; auto: left out, but kept by the
+        /// forms as printed.
+        clutter: Clutter = Clutter::Auto, "", 0.0..=0.0;
     }
 
     /// Gumhold's penalty functions (Gumhold 2001, section 3.1).
@@ -204,13 +205,15 @@ sections! {
 /// What becomes of points that lie on no surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Clutter {
+    /// Left out by the robust forms, kept by the forms as printed.
+    Auto,
     /// They are classified, and no line follows them.
     LeaveOut,
     /// They are treated as surface.
     Keep,
 }
 
-value::choices! { Clutter { LeaveOut = "leave-out", Keep = "keep" } }
+value::choices! { Clutter { Auto = "auto", LeaveOut = "leave-out", Keep = "keep" } }
 
 /// Which form of Gumhold's penalties is used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

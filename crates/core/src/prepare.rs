@@ -5,10 +5,10 @@ use crate::error::Error;
 use crate::frame::{Frame, Localised};
 use crate::math::vec3::{cross, norm, sub};
 use crate::neighbors::{Neighbors, all_nearest, riemannian};
-use crate::params::{Auto, Clutter, Method, Params, PenaltyForm};
+use crate::params::{Auto, Clutter, Method, Params, PenaltyForm, SegmentForm};
 use crate::report::{Clock, Report, Stage};
 use crate::resolution::Resolution;
-use crate::surface::{self, CLUTTER, Scales, evened, spacings};
+use crate::surface::{self, CLUTTER, Findings, Scales, evened, spacings};
 
 /// Fewest distinct points that can lie on a surface.
 const SURFACE_POINTS: usize = 4;
@@ -33,6 +33,7 @@ pub(crate) struct Prepared {
     pub(crate) clutter: Vec<u32>,
     /// `(M)` spacing at each point; empty if the mean holds everywhere.
     spacing: Vec<f32>,
+    findings: Findings,
     dropped: usize,
     merged: usize,
 }
@@ -48,27 +49,56 @@ pub(crate) fn prepare(world: &Cloud, params: &Params, clock: &mut Clock) -> Resu
     refuse_degenerate(world.len(), &local.positions)?;
     let Localised { frame, mut positions, mut source, dropped, .. } = local.with_spacing()?;
     let mut joined = clock.run(Stage::Neighbors, || Joined::new(&positions, params));
-    let mut clutter = Vec::new();
-    if params.surface.clutter == Clutter::LeaveOut {
+    let (mut clutter, mut findings) = (Vec::new(), Findings::default());
+    if cleaned(params) {
         clock.run(Stage::Surface, || {
-            let stands = surface::standing(&positions, &joined.nearest, joined.resolution);
-            if !stands.is_empty() {
-                clutter = take_out(&stands, &mut positions, &mut source, &mut canonical);
-                joined = Joined::new(&positions, params);
+            let sorted = surface::sort(&positions, &joined.nearest, joined.resolution);
+            findings = sorted.findings;
+            if sorted.stands.is_empty() {
+                return Ok(());
             }
-        });
+            // The old lists beside the new ones would be the most that is ever held.
+            joined = Joined::default();
+            clutter = take_out(&sorted.stands, &mut positions, &mut source, &mut canonical);
+            refuse_degenerate(world.len(), &positions)?;
+            joined = Joined::new(&positions, params);
+            Ok(())
+        })?;
     }
     let Joined { nearest, graph, resolution } = joined;
-    let resolution = match params.penalty.noise_spacings {
-        Auto::Given(ratio) => Resolution { noise: ratio * resolution.spacing, ..resolution },
-        Auto::Auto => resolution,
-    };
     let own = params.method == Method::Penalty && params.penalty.form == PenaltyForm::Robust;
     let spacing = if own { evened(&spacings(&positions, &nearest), resolution) } else { Vec::new() };
-    Ok(Prepared { frame, positions, source, canonical, graph, resolution, clutter, spacing, dropped, merged })
+    Ok(Prepared {
+        frame,
+        positions,
+        source,
+        canonical,
+        graph,
+        resolution,
+        clutter,
+        spacing,
+        findings,
+        dropped,
+        merged,
+    })
+}
+
+/// Whether points are left out: by the robust forms, unless told otherwise; a form as printed takes every point.
+fn cleaned(params: &Params) -> bool {
+    let printed = match params.method {
+        Method::Penalty => params.penalty.form == PenaltyForm::Paper,
+        Method::Segments => params.segments.form == SegmentForm::Paper,
+        Method::Projection => false,
+    };
+    match params.surface.clutter {
+        Clutter::Auto => !printed,
+        Clutter::LeaveOut => true,
+        Clutter::Keep => false,
+    }
 }
 
 /// The neighbour graph of the points, and their resolution.
+#[derive(Default)]
 struct Joined {
     nearest: Neighbors,
     graph: Neighbors,
@@ -80,6 +110,10 @@ impl Joined {
         let nearest = all_nearest(positions, params.neighbors.k);
         let graph = riemannian::graph(positions, &nearest);
         let resolution = Resolution::estimate(positions, &nearest, &graph);
+        let resolution = match params.penalty.noise_spacings {
+            Auto::Given(ratio) => Resolution { noise: ratio * resolution.spacing, ..resolution },
+            Auto::Auto => resolution,
+        };
         Joined { nearest, graph, resolution }
     }
 }
@@ -124,14 +158,16 @@ impl Prepared {
         Scales::new(self.resolution, &self.spacing)
     }
 
-    /// Counts and estimates; stages, settings and notes are still empty.
+    /// Counts, estimates and notes on the cloud; stages and settings are still empty.
     pub(crate) fn report(&self) -> Report {
+        let surface = self.findings.scaled(self.frame.length_to_world(1.0));
         Report {
             read: self.canonical.len(),
             dropped: self.dropped,
             merged: self.merged,
             points: self.positions.len(),
-            clutter: self.clutter.len(),
+            surface,
+            notes: surface.notes(self.canonical.len()),
             spacing: self.frame.length_to_world(self.resolution.spacing),
             noise: self.frame.length_to_world(self.resolution.noise),
             ..Report::default()

@@ -1,5 +1,6 @@
 //! Progress and report of the pipeline: stages as they begin and end, counts and times at the end.
 
+use crate::surface::Findings;
 use std::time::Instant;
 
 /// Counts, estimates and times, for a summary.
@@ -13,8 +14,8 @@ pub struct Report {
     pub merged: usize,
     /// Points kept.
     pub points: usize,
-    /// Points left out because they lie on no surface.
-    pub clutter: usize,
+    /// Points left out because they lie on no surface, and because others beside them say as much.
+    pub surface: Findings,
     /// Mean distance to the six nearest neighbours, corrected for noise; unit of the input.
     pub spacing: f64,
     /// Standard deviation of the noise along the surface normal; unit of the input.

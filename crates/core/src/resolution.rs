@@ -5,7 +5,7 @@ use crate::neighbors::{Neighbors, mean_distance, riemannian::Scratch};
 use rayon::prelude::*;
 
 /// Mean spacing and noise of a cloud, local frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Resolution {
     /// Mean distance to the six nearest neighbours, corrected for the part due to noise.
     pub spacing: f64,

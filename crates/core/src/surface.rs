@@ -1,10 +1,13 @@
-//! The stage `surface`, between neighbours and detection: takes out clutter, thins rows, and gives the spacing at every point.
+//! The stage `surface`, between neighbours and detection: takes out clutter, thins where points say no more, and gives the spacing at every point.
 
 mod clutter;
+mod findings;
+mod rows;
 mod scales;
 mod support;
 mod thin;
 
+pub use findings::Findings;
 pub use scales::{Scales, evened, spacings};
 
 use crate::neighbors::Neighbors;
@@ -12,28 +15,53 @@ use crate::resolution::Resolution;
 
 /// Fewest points of a cloud in which surface and clutter can be told apart.
 const FEWEST: usize = 100;
-/// Least share of points on surfaces: a cloud with less is left as it is.
-const LEAST_SURFACE: f64 = 0.1;
+/// Fewest points of a piece of surface.
+const PIECE: usize = 24;
 /// The representative of a point on no surface.
 pub const CLUTTER: u32 = u32::MAX;
 
-/// `(N)` representative of each point in the later stages: itself; a point beside it, where rows of a scan are thinned; or
-/// [`CLUTTER`] for leaves, stray returns and veils between surfaces. Empty if every point represents itself. `nearest` are the
-/// lists of nearest neighbours in order of distance.
-pub fn standing(points: &[[f64; 3]], nearest: &Neighbors, mean: Resolution) -> Vec<u32> {
+/// Which points go on to the later stages.
+#[derive(Debug, Default)]
+pub struct Sorted {
+    /// `(N)` representative of each point: itself; a point beside it, where a place is thinned; or [`CLUTTER`] for leaves,
+    /// stray returns and veils between surfaces. Empty if every point represents itself.
+    pub stands: Vec<u32>,
+    /// What was found.
+    pub findings: Findings,
+}
+
+/// Sorts the points of a cloud. `nearest` are the lists of nearest neighbours in order of distance.
+pub fn sort(points: &[[f64; 3]], nearest: &Neighbors, mean: Resolution) -> Sorted {
     if points.len() < FEWEST {
-        return Vec::new();
+        return Sorted::default();
     }
     let raw = scales::raw(points, nearest);
     let spacing = scales::smoothed(raw.clone(), nearest);
     let planes = support::planes(points, nearest);
-    let (mut stands, in_row) = thin::thin(points, nearest, &planes, &spacing);
-    let clutter = clutter::clutter(points, nearest, &planes, &raw, &spacing, &in_row, mean);
+    let gaps = rows::gaps(points, nearest, &planes, &spacing);
+    let mut stands = thin::thin(points, &gaps, &spacing, mean);
+    let (clutter, scattered) = clutter::clutter(points, nearest, &planes, &raw, &spacing, &gaps, mean);
     let count = clutter.iter().filter(|&&c| c).count();
-    if (points.len() - count) as f64 >= LEAST_SURFACE * points.len() as f64 {
-        leave_out(&mut stands, &clutter);
+    if points.len() - count < PIECE {
+        return Sorted { findings: Findings { none: true, ..Findings::default() }, ..Sorted::default() };
     }
-    if stands.iter().zip(0..).all(|(&s, i)| s == i) { Vec::new() } else { stands }
+    leave_out(&mut stands, &clutter);
+    let thinned = stands.iter().zip(0..).filter(|&(&s, i)| s != i && s != CLUTTER).count();
+    let (in_rows, row_ratio, row_distance) = rows::summary(&gaps, &raw);
+    let findings = Findings {
+        scattered,
+        stray: count - scattered,
+        thinned,
+        in_rows,
+        row_ratio,
+        row_distance,
+        spread: findings::spread(&spacing, &clutter),
+        none: false,
+    };
+    if count + thinned == 0 {
+        stands.clear();
+    }
+    Sorted { stands, findings }
 }
 
 /// Marks clutter. Points represented by a point of clutter represent themselves again.

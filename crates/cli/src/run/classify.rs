@@ -76,7 +76,9 @@ fn by_method(work: &Work, origin: &Origin, input: &Input) -> Result<Found, Failu
 
 fn by_detector(work: &Work, origin: &Origin, input: &Input, detector: Detector) -> Result<Found, Failure> {
     let found = marked(work, origin, input, &[detector])?;
-    let mut lines = vec![summary::points(input, &found.report), summary::resolution(&found.report)];
+    let mut lines = vec![summary::points(input, &found.report)];
+    lines.extend(found.report.surface.unused(found.report.read));
+    lines.push(summary::resolution(&found.report));
     lines.extend(found.report.notes.iter().map(|note| format!("note: {note}")));
     if work.args.running.verbose {
         lines.extend(input.remarks.iter().map(|remark| format!("input: {remark}")));
@@ -95,8 +97,9 @@ fn attribute(every: &Marked, which: usize) -> Attribute {
 }
 
 fn counts(classes: &[u8]) -> String {
-    let names = ["smooth", "crease", "border", "corner"];
+    let names = ["smooth", "crease", "border", "corner", "clutter"];
     let count = |class: usize| classes.iter().filter(|&&c| usize::from(c) == class).count();
-    let parts = names.iter().enumerate().map(|(i, name)| plural(count(i), &format!("{name} point")));
+    let told = names.iter().enumerate().filter(|&(i, _)| i < 4 || count(i) > 0);
+    let parts = told.map(|(i, name)| plural(count(i), &format!("{name} point")));
     parts.collect::<Vec<String>>().join(", ")
 }

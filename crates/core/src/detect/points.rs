@@ -36,11 +36,9 @@ pub fn mark(world: &Cloud, params: &Params, detectors: &[Detector]) -> Result<Ma
     });
     let marks: Vec<(Detector, Marks)> = found.collect();
     let warned = detectors.contains(&Detector::Projection).then(|| warning(cloud.resolution)).flatten();
-    let report = Report {
-        settings: marks.iter().map(|(d, m)| setting(*d, m)).collect(),
-        notes: warned.into_iter().collect(),
-        ..cloud.report()
-    };
+    let mut report = cloud.report();
+    report.settings = marks.iter().map(|(d, m)| setting(*d, m)).collect();
+    report.notes.extend(warned);
     Ok(Marked { report, canonical: cloud.canonical, clutter: cloud.clutter, marks })
 }
 

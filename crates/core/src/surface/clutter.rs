@@ -22,8 +22,9 @@ const CROWD: (f64, f64) = (0.5, 0.75);
 /// Least share of a crowd's points that lie deep in it if it is clutter, besides at least [`ISLAND`] points: a crowd along a
 /// coarsely sampled edge is mostly rim.
 const MOSTLY_DEEP: f64 = 0.5;
-/// Greatest length of a link, spacings at its denser end.
-const LINK: f64 = 3.0;
+/// Greatest length of a link, spacings at its denser end, those of the point or of the place, whichever is the more: the first points beside a
+/// denser surface are at a dense place.
+const LINK: f32 = 3.0;
 /// Mean distance of a point from its nearest neighbours above which it stands alone, relative to the spacing around it.
 const ALONE: f32 = 1.5;
 /// Share of neighbours in clutter above which a point joins it: without support, and with it.
@@ -31,47 +32,46 @@ const DRAWN: (f64, f64) = (0.2, 0.5);
 /// Rounds in which points join clutter; it grows by one neighbour in each.
 const ROUNDS: usize = 3;
 /// Fewest points of a piece of surface.
-const ISLAND: u32 = 24;
+const ISLAND: u32 = super::PIECE as u32;
 
-/// `(N)` whether each point is clutter.
+/// `(N)` whether each point is clutter, and how many are in crowds.
 ///
 /// `nearest` are the lists of nearest neighbours in order of distance, `raw` the mean distance of the first of them, `spacing`
-/// the same smoothed. `in_row` marks points in rows, which never count as alone: at the end of a row the neighbours are farther
-/// than within it.
+/// the same smoothed, `gaps` the distances of rows, zero outside of rows: points in rows never count as alone, as at the end of a row
+/// the neighbours are farther than within it.
 pub(super) fn clutter(
     points: &[[f64; 3]],
     nearest: &Neighbors,
     planes: &[Plane],
     raw: &[f32],
     spacing: &[f32],
-    in_row: &[bool],
+    gaps: &[f32],
     mean: Resolution,
-) -> Vec<bool> {
+) -> (Vec<bool>, usize) {
     let bare: Vec<bool> =
-        supported(points, nearest, planes, spacing, mean, SUPPORT).iter().map(|s| !s).collect();
-    if !bare.iter().any(|&b| b) {
-        return bare;
-    }
+        supported(points, nearest, planes, raw, spacing, mean, SUPPORT).iter().map(|s| !s).collect();
     let crowd = where_share(nearest, &bare, CROWD.0);
     let deep = where_share(nearest, &crowd, CROWD.1);
-    let mut clutter = pieces(points, nearest, spacing, &crowd, &deep);
+    let reach: Vec<f32> = raw.iter().zip(spacing).map(|(&r, &s)| LINK * r.max(s)).collect();
+    let mut clutter = pieces(points, nearest, &reach, &crowd, &deep);
+    let scattered = clutter.iter().filter(|&&c| c).count();
     let each = || (0..points.len()).into_par_iter().with_min_len(1024);
-    clutter = each().map(|i| clutter[i] || (bare[i] && !in_row[i] && raw[i] > ALONE * spacing[i])).collect();
+    clutter =
+        each().map(|i| clutter[i] || (bare[i] && gaps[i] == 0.0 && raw[i] > ALONE * spacing[i])).collect();
     for _ in 0..ROUNDS {
         let [little, most] = [DRAWN.0, DRAWN.1].map(|share| where_share(nearest, &clutter, share));
         clutter = each().map(|i| clutter[i] || most[i] || (bare[i] && little[i])).collect();
     }
-    leave_islands(points, nearest, spacing, &mut clutter);
-    clutter
+    leave_islands(points, nearest, &reach, &mut clutter);
+    (clutter, scattered)
 }
 
 /// Makes remaining pieces that are too small for a surface clutter as well.
-fn leave_islands(points: &[[f64; 3]], nearest: &Neighbors, spacing: &[f32], clutter: &mut [bool]) {
+fn leave_islands(points: &[[f64; 3]], nearest: &Neighbors, reach: &[f32], clutter: &mut [bool]) {
     let mut sets = UnionFind::new(points.len());
     for i in (0..points.len()).filter(|&i| !clutter[i]) {
         for j in nearest.of(i).iter().map(|&j| j as usize).filter(|&j| !clutter[j]) {
-            let reach = LINK * f64::from(spacing[i].min(spacing[j]));
-            if distance(points[i], points[j]) <= reach {
+            if distance(points[i], points[j]) <= f64::from(reach[i].min(reach[j])) {
                 sets.union(i as u32, j as u32);
             }
         }
@@ -94,7 +94,7 @@ fn where_share(nearest: &Neighbors, marked: &[bool], share: f64) -> Vec<bool> {
 fn pieces(
     points: &[[f64; 3]],
     nearest: &Neighbors,
-    spacing: &[f32],
+    reach: &[f32],
     crowd: &[bool],
     deep: &[bool],
 ) -> Vec<bool> {
@@ -102,8 +102,7 @@ fn pieces(
     let mut touching = vec![false; points.len()];
     for i in (0..points.len()).filter(|&i| crowd[i]) {
         for j in nearest.of(i).iter().map(|&j| j as usize) {
-            let reach = LINK * f64::from(spacing[i].min(spacing[j]));
-            if distance(points[i], points[j]) <= reach {
+            if distance(points[i], points[j]) <= f64::from(reach[i].min(reach[j])) {
                 if crowd[j] {
                     sets.union(i as u32, j as u32);
                 } else {
@@ -133,7 +132,7 @@ fn pieces(
 mod tests {
     use crate::neighbors::{all_nearest, riemannian};
     use crate::resolution::Resolution;
-    use crate::surface::{CLUTTER, standing};
+    use crate::surface::{CLUTTER, sort};
 
     /// Numbers from 0 to 1, the same each time.
     fn random(seed: &mut u64) -> f64 {
@@ -145,7 +144,7 @@ mod tests {
     fn clutter(points: &[[f64; 3]]) -> Vec<bool> {
         let nearest = all_nearest(points, 12);
         let mean = Resolution::estimate(points, &nearest, &riemannian::graph(points, &nearest));
-        let stands = standing(points, &nearest, mean);
+        let stands = sort(points, &nearest, mean).stands;
         (0..points.len()).map(|i| stands.get(i) == Some(&CLUTTER)).collect()
     }
 

@@ -59,13 +59,14 @@ pub(super) fn supported(
     points: &[[f64; 3]],
     nearest: &Neighbors,
     planes: &[Plane],
+    raw: &[f32],
     spacing: &[f32],
     mean: Resolution,
     enough: usize,
 ) -> Vec<bool> {
     let index = Index::build(points);
     let own = |(near, found): &mut (Vec<[f64; 3]>, Vec<Found>), i: usize| {
-        let reach = NEAR * f64::from(spacing[i]);
+        let reach = NEAR * f64::from(spacing[i].max(raw[i]));
         let tolerance = tolerance(spacing[i], mean);
         let mut gather = |some: &mut dyn Iterator<Item = u32>| {
             near.clear();

@@ -1,107 +1,57 @@
-//! Thins rows: scan lines along which the sampling is far denser than across them.
+//! Thinning: places sampled so densely that they say less of the surface, not more.
 //!
-//! Where all nearest neighbours of a point lie in its own scan line, they do not show the surface between the lines, and every
-//! line looks like a crease or a border. The points along it are then thinned, in canonical order, to half the distance between
-//! the lines. Each point left out is represented by the kept one beside it.
+//! Along a scan line far from the next one, all neighbours of a point lie in the line; the points are thinned to half the distance of
+//! the lines. Right below a scanner, or where stations overlap, points lie nearer to each other than the noise allows to tell
+//! anything apart, and normals fitted to them point anywhere; they are thinned to a spacing of a few standard deviations of the noise.
+//! Points stay in canonical order, each point left out being represented by the one kept beside it.
 
-use super::support::Plane;
-use crate::math::vec3::{add_scaled, dot, norm, sub};
-use crate::neighbors::{Index, Neighbors};
-use rayon::prelude::*;
+use crate::neighbors::Index;
+use crate::resolution::Resolution;
 
-/// Ratio of the axes of a neighbourhood in its plane above which it is a piece of a row.
-const ELONGATED: f32 = 3.0;
-/// Number of neighbours among which a point of the next row is searched.
-const SEARCHED: usize = 64;
-/// Least distance of the next row from the line through the point along its own, spacings.
-const BESIDE: f64 = 1.5;
-/// Greatest distance of the next row, spacings: farther rows are another surface.
-const FARTHEST: f64 = 24.0;
-/// Distance between kept points, as a share of the distance between rows.
-const STAY: f64 = 0.5;
+/// Distance of the points that stay in rows, as a share of the distance of the rows.
+const IN_ROWS: f32 = 0.5;
+/// Spacing below which noise blurs the surface, in its standard deviations.
+const NOISY: f64 = 6.0;
+/// Share of that spacing below which a place is thinned, and least distance of the points that stay as a share of it: random points that
+/// keep this distance have about that spacing.
+const DENSE: f64 = 0.7;
 
-/// `(N)` representative of each point: itself, or the kept point beside it where a row is thinned; and `(N)` whether each lies in
-/// a row with another row beside it.
-pub(super) fn thin(
-    points: &[[f64; 3]],
-    nearest: &Neighbors,
-    planes: &[Plane],
-    spacing: &[f32],
-) -> (Vec<u32>, Vec<bool>) {
-    let long: Vec<bool> = planes.par_iter().map(|p| p.elongation > ELONGATED).collect();
-    let row = |&i: &u32| {
-        let near = nearest.of(i as usize);
-        2 * near.iter().filter(|&&j| long[j as usize]).count() > near.len()
+/// `(N)` the representative of each point: itself, or the point kept beside it where a place is thinned. `gaps` are the distances of
+/// rows at each point, zero outside of rows; `spacing` the spacing at each.
+pub(super) fn thin(points: &[[f64; 3]], gaps: &[f32], spacing: &[f32], mean: Resolution) -> Vec<u32> {
+    // Nowhere coarser than the cloud as a whole: a noisy cloud is left as dense as it is.
+    let dense = DENSE * (NOISY * mean.noise).min(mean.spacing);
+    let apart = |i: usize| match gaps[i] {
+        gap if gap > 0.0 => f64::from(IN_ROWS * gap),
+        _ if f64::from(spacing[i]) < dense => dense,
+        _ => 0.0,
     };
-    let rows: Vec<u32> = (0..points.len() as u32).into_par_iter().filter(row).collect();
+    let apart: Vec<f64> = (0..points.len()).map(apart).collect();
     let mut stands: Vec<u32> = (0..points.len() as u32).collect();
-    if rows.is_empty() {
-        return (stands, vec![false; points.len()]);
+    if apart.iter().all(|&d| d == 0.0) {
+        return stands;
     }
     let index = Index::build(points);
-    let gaps: Vec<f64> = rows
-        .par_iter()
-        .map_init(Vec::new, |found, &i| gap(points, &index, planes, spacing, i, found))
-        .collect();
-    let reach = smoothed(points.len(), nearest, &rows, &gaps);
     let mut found = Vec::new();
-    for &i in &rows {
-        if stands[i as usize] != i || reach[i as usize] == 0.0 {
+    for i in 0..points.len() {
+        if stands[i] as usize != i || apart[i] == 0.0 {
             continue;
         }
-        index.within(points[i as usize], STAY * f64::from(reach[i as usize]), &mut found);
-        for j in found.iter().map(|f| f.index).filter(|&j| j > i && reach[j as usize] > 0.0) {
-            if stands[j as usize] == j {
-                stands[j as usize] = i;
+        index.within(points[i], apart[i], &mut found);
+        for j in found.iter().map(|f| f.index as usize).filter(|&j| j > i && apart[j] > 0.0) {
+            if stands[j] as usize == j {
+                stands[j] = i as u32;
             }
         }
     }
-    (stands, reach.iter().map(|&r| r > 0.0).collect())
-}
-
-/// The distance from point `i` to the next row; zero if there is none.
-fn gap(
-    points: &[[f64; 3]],
-    index: &Index,
-    planes: &[Plane],
-    spacing: &[f32],
-    i: u32,
-    found: &mut Vec<crate::neighbors::Found>,
-) -> f64 {
-    let i = i as usize;
-    let (along, unit) = (planes[i].along.map(f64::from), f64::from(spacing[i]));
-    index.nearest(points[i], SEARCHED, found);
-    let beside = found.iter().map(|f| sub(points[f.index as usize], points[i])).find(|&d| {
-        let across = norm(add_scaled(d, along, -dot(d, along)));
-        across > BESIDE * unit && across > 0.7 * norm(d)
-    });
-    beside.map_or(0.0, norm).min(FARTHEST * unit)
-}
-
-/// `(N)` median of the gaps over the neighbours in rows; zero for points in no row.
-fn smoothed(count: usize, nearest: &Neighbors, rows: &[u32], gaps: &[f64]) -> Vec<f32> {
-    let mut own = vec![0.0_f32; count];
-    rows.iter().zip(gaps).for_each(|(&i, &g)| own[i as usize] = g as f32);
-    let median = |near: &mut Vec<f32>, &i: &u32| {
-        near.clear();
-        near.extend(nearest.of(i as usize).iter().chain([&i]).map(|&j| own[j as usize]).filter(|&g| g > 0.0));
-        if near.is_empty() {
-            return 0.0;
-        }
-        let middle = near.len() / 2;
-        *near.select_nth_unstable_by(middle, f32::total_cmp).1
-    };
-    let medians: Vec<f32> = rows.par_iter().map_init(Vec::new, median).collect();
-    let mut smoothed = vec![0.0; count];
-    rows.iter().zip(medians).for_each(|(&i, m)| smoothed[i as usize] = m);
-    smoothed
+    stands
 }
 
 #[cfg(test)]
 mod tests {
     use crate::neighbors::all_nearest;
     use crate::resolution::Resolution;
-    use crate::surface::standing;
+    use crate::surface::sort;
 
     /// Kept points of a plane of rows `gap` apart, the points of a row one apart.
     fn kept(gap: f64) -> f64 {
@@ -109,7 +59,8 @@ mod tests {
             [f64::from(k % 200) + 0.3 * f64::from(k * 37 % 11) / 11.0, gap * f64::from(k / 200), 0.0]
         };
         let points: Vec<[f64; 3]> = (0..4000).map(at).collect();
-        let stands = standing(&points, &all_nearest(&points, 12), Resolution { spacing: 1.0, noise: 0.01 });
+        let mean = Resolution { spacing: 1.0, noise: 0.01 };
+        let stands = sort(&points, &all_nearest(&points, 12), mean).stands;
         assert!(
             stands.iter().all(|&s| stands.get(s as usize) == Some(&s)),
             "what stands for another stands for itself"

@@ -1,0 +1,97 @@
+//! What the stage found in a cloud, in figures and in words.
+
+/// Share of the points from which on a note tells of those in rows or in leaves.
+const TOLD: f64 = 0.05;
+/// Ratio of the distances across and along rows up to which lines on them are to be relied on.
+const RELIABLE: f64 = 10.0;
+/// Shares of the points between whose spacings the spread reaches.
+const MOST: [f64; 2] = [0.05, 0.95];
+
+/// What the stage `surface` found in a cloud; lengths in the local frame, or in the unit of the input where [`Self::scaled`] has
+/// been called.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Findings {
+    /// Points on no surface that fill a volume: leaves, rubble, spray.
+    pub scattered: usize,
+    /// Other points on no surface: stray returns, veils between surfaces.
+    pub stray: usize,
+    /// Points represented by another, in rows and where noise exceeds the spacing.
+    pub thinned: usize,
+    /// Points in rows.
+    pub in_rows: usize,
+    /// Their distance across the rows over that along them, median.
+    pub row_ratio: f64,
+    /// Their distance across the rows, median.
+    pub row_distance: f64,
+    /// The spacings that nine in ten points on surfaces lie between.
+    pub spread: [f64; 2],
+    /// No surface was found, so that nothing was left out.
+    pub none: bool,
+}
+
+impl Findings {
+    /// The same with lengths multiplied by `scale`.
+    pub(crate) fn scaled(self, scale: f64) -> Findings {
+        let spread = self.spread.map(|s| s * scale);
+        Findings { row_distance: self.row_distance * scale, spread, ..self }
+    }
+
+    /// A line on the points not used, of a cloud of `count` points; `None` where all are.
+    pub fn unused(&self, count: usize) -> Option<String> {
+        let Findings { scattered, stray, thinned, .. } = self;
+        let share = |some: usize| 100.0 * some as f64 / count as f64;
+        let clutter = scattered + stray;
+        let clutter = (clutter > 0).then(|| {
+            format!(
+                "{clutter} on no surface ({:.2} %; {scattered} in leaves or the like, {stray} stray)",
+                share(clutter)
+            )
+        });
+        let thinned = (*thinned > 0).then(|| format!("{thinned} in excess ({:.1} %)", share(*thinned)));
+        let parts: Vec<String> = clutter.into_iter().chain(thinned).collect();
+        (!parts.is_empty()).then(|| format!("not used: {}", parts.join(", ")))
+    }
+
+    /// What makes a result doubtful, of a cloud of `count` points.
+    pub(crate) fn notes(&self, count: usize) -> Vec<String> {
+        let much = |some: usize| some as f64 > TOLD * count as f64;
+        let share = |some: usize| 100.0 * some as f64 / count as f64;
+        let mut notes = Vec::new();
+        if self.none {
+            notes.push("no surface was found; all points are used".into());
+        }
+        if much(self.scattered) {
+            notes.push(format!(
+                "{:.0} % of the points lie in leaves, rubble or the like",
+                share(self.scattered)
+            ));
+        }
+        if much(self.in_rows) {
+            notes.push(self.rows(count));
+        }
+        notes
+    }
+
+    fn rows(&self, count: usize) -> String {
+        let share = 100.0 * self.in_rows as f64 / count as f64;
+        let advice = if self.row_ratio > RELIABLE {
+            format!(
+                ": lines there are not reliable; --voxel {:.3} makes the sampling even",
+                0.5 * self.row_distance
+            )
+        } else {
+            String::new()
+        };
+        format!("{share:.0} % of the points lie in rows {:.0}:1{advice}", self.row_ratio)
+    }
+}
+
+/// The spacings that most points on surfaces lie between.
+pub(super) fn spread(spacing: &[f32], clutter: &[bool]) -> [f64; 2] {
+    let mut some: Vec<f32> = spacing.iter().zip(clutter).filter(|&(_, &c)| !c).map(|(&s, _)| s).collect();
+    let last = some.len().saturating_sub(1) as f64;
+    MOST.map(|share| match some.len() {
+        0 => 0.0,
+        _ => f64::from(*some.select_nth_unstable_by((share * last) as usize, f32::total_cmp).1),
+    })
+}

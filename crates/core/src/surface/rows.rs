@@ -1,0 +1,91 @@
+//! Rows: places sampled far more densely along the scan lines than across them.
+//!
+//! Where all nearest neighbours of a point lie in its own scan line, nothing sees the surface between the lines: every line looks like a
+//! crease or a border of its own.
+
+use super::support::Plane;
+use crate::math::vec3::{add_scaled, dot, norm, sub};
+use crate::neighbors::{Found, Index, Neighbors};
+use rayon::prelude::*;
+
+/// Ratio of the axes of a neighbourhood in its plane from which on it is a piece of a row.
+const ELONGATED: f32 = 3.0;
+/// Neighbours among which a point of the next row is looked for.
+const SEARCHED: usize = 64;
+/// Least distance of the next row from the line through the point along its own, spacings.
+const BESIDE: f64 = 1.5;
+/// Greatest distance of the next row that the surface goes on to, spacings: what lies between rows farther apart is a guess.
+const FARTHEST: f64 = 12.0;
+
+/// `(N)` the distance from each point to the next row, smoothed; zero for points that lie in no row with another beside it.
+pub(super) fn gaps(points: &[[f64; 3]], nearest: &Neighbors, planes: &[Plane], spacing: &[f32]) -> Vec<f32> {
+    let long: Vec<bool> = planes.par_iter().map(|p| p.elongation > ELONGATED).collect();
+    let row = |&i: &u32| {
+        let near = nearest.of(i as usize);
+        2 * near.iter().filter(|&&j| long[j as usize]).count() > near.len()
+    };
+    let rows: Vec<u32> = (0..points.len() as u32).into_par_iter().filter(row).collect();
+    if rows.is_empty() {
+        return vec![0.0; points.len()];
+    }
+    let index = Index::build(points);
+    let gaps: Vec<f64> = rows
+        .par_iter()
+        .map_init(Vec::new, |found, &i| gap(points, &index, planes, spacing, i, found))
+        .collect();
+    smoothed(points.len(), nearest, &rows, &gaps)
+}
+
+/// How many points lie in rows, and the medians of the ratio of their distances across and along the rows, and of that across. `raw` is the
+/// mean distance to the six nearest: to either side in the row the first three, on average two steps away.
+pub(super) fn summary(gaps: &[f32], raw: &[f32]) -> (usize, f64, f64) {
+    let in_rows = || gaps.iter().zip(raw).filter(|&(&gap, _)| gap > 0.0);
+    let median = |mut values: Vec<f32>| {
+        let middle = values.len() / 2;
+        if values.is_empty() {
+            0.0
+        } else {
+            f64::from(*values.select_nth_unstable_by(middle, f32::total_cmp).1)
+        }
+    };
+    let ratio = median(in_rows().map(|(gap, raw)| 2.0 * gap / raw).collect());
+    (in_rows().count(), ratio, median(in_rows().map(|(&gap, _)| gap).collect()))
+}
+
+/// The distance from point `i` to the next row; zero where there is none.
+fn gap(
+    points: &[[f64; 3]],
+    index: &Index,
+    planes: &[Plane],
+    spacing: &[f32],
+    i: u32,
+    found: &mut Vec<Found>,
+) -> f64 {
+    let i = i as usize;
+    let (along, unit) = (planes[i].along.map(f64::from), f64::from(spacing[i]));
+    index.nearest(points[i], SEARCHED, found);
+    let beside = found.iter().map(|f| sub(points[f.index as usize], points[i])).find(|&d| {
+        let across = norm(add_scaled(d, along, -dot(d, along)));
+        across > BESIDE * unit && across > 0.7 * norm(d)
+    });
+    beside.map(norm).filter(|&gap| gap <= FARTHEST * unit).unwrap_or(0.0)
+}
+
+/// `(N)` the median of the gaps over the neighbours in rows; zero for points in none.
+fn smoothed(count: usize, nearest: &Neighbors, rows: &[u32], gaps: &[f64]) -> Vec<f32> {
+    let mut own = vec![0.0_f32; count];
+    rows.iter().zip(gaps).for_each(|(&i, &g)| own[i as usize] = g as f32);
+    let median = |near: &mut Vec<f32>, &i: &u32| {
+        near.clear();
+        near.extend(nearest.of(i as usize).iter().chain([&i]).map(|&j| own[j as usize]).filter(|&g| g > 0.0));
+        if near.is_empty() {
+            return 0.0;
+        }
+        let middle = near.len() / 2;
+        *near.select_nth_unstable_by(middle, f32::total_cmp).1
+    };
+    let medians: Vec<f32> = rows.par_iter().map_init(Vec::new, median).collect();
+    let mut smoothed = vec![0.0; count];
+    rows.iter().zip(medians).for_each(|(&i, m)| smoothed[i as usize] = m);
+    smoothed
+}
