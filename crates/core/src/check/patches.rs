@@ -35,7 +35,7 @@ pub fn patches(network: &Network, patches: &Patches) -> Result<(), Vec<String>> 
         for &n in &patch.neighbors {
             let mutual = patches.patches.get(n as usize).is_some_and(|o| o.neighbors.contains(&(p as u32)));
             if n as usize == p || !mutual {
-                say(format!("neighbour {n} is itself or does not know it"));
+                say(format!("neighbour {n} is the patch itself, or does not list it"));
             }
         }
         if !patch.neighbors.is_sorted_by(|a, b| a < b) {
@@ -77,7 +77,7 @@ fn sides(network: &Network, patches: &Patches) -> Vec<String> {
             let own = Coedge { strip: s as u32, forward };
             let count = loops.iter().flat_map(|l| &l.coedges).filter(|c| **c == own).count();
             if count != 1 {
-                faults.push(format!("strip {s}: stands {count} times in the loops of patch {p}"));
+                faults.push(format!("strip {s}: occurs {count} times in the loops of patch {p}"));
             }
         }
     }
@@ -104,6 +104,6 @@ fn connected(network: &Network, boundary: &Loop) -> Result<(), String> {
     match (first, last, boundary.closed) {
         (None, None, true) => Ok(()),
         (Some([start, _]), Some([_, stop]), closed) if (start == stop) == closed => Ok(()),
-        _ => Err(format!("closed is {}, which it is not", boundary.closed)),
+        _ => Err(format!("closed is {}, but its strips say otherwise", boundary.closed)),
     }
 }
