@@ -57,7 +57,7 @@ pub(crate) fn prepare(world: &Cloud, params: &Params, clock: &mut Clock) -> Resu
             if sorted.stands.is_empty() {
                 return Ok(());
             }
-            // The old lists beside the new ones would be the most that is ever held.
+            // Freed first: the old lists beside the new ones would raise the peak of memory.
             joined = Joined::default();
             clutter = take_out(&sorted.stands, &mut positions, &mut source, &mut canonical);
             refuse_degenerate(world.len(), &positions)?;
@@ -83,7 +83,7 @@ pub(crate) fn prepare(world: &Cloud, params: &Params, clock: &mut Clock) -> Resu
     })
 }
 
-/// Whether points are left out: by the robust forms, unless told otherwise; a form as printed takes every point.
+/// Whether the stage `surface` runs: in the robust forms by default, but not in the forms as printed, which take every point.
 fn cleaned(params: &Params) -> bool {
     let printed = match params.method {
         Method::Penalty => params.penalty.form == PenaltyForm::Paper,

@@ -14,7 +14,7 @@ pub struct Report {
     pub merged: usize,
     /// Points kept.
     pub points: usize,
-    /// Points left out because they lie on no surface, and because others beside them say as much.
+    /// Points left out because they lie on no surface, or because they are in excess.
     pub surface: Findings,
     /// Mean distance to the six nearest neighbours, corrected for noise; unit of the input.
     pub spacing: f64,

@@ -1,4 +1,5 @@
-//! The stage `surface`, between neighbours and detection: takes out clutter, thins where points say no more, and gives the spacing at every point.
+//! The stage `surface`, between neighbours and detection: takes out clutter, thins points in excess, and gives the spacing at
+//! every point.
 
 mod clutter;
 mod findings;
@@ -20,17 +21,18 @@ const PIECE: usize = 24;
 /// The representative of a point on no surface.
 pub const CLUTTER: u32 = u32::MAX;
 
-/// Which points go on to the later stages.
+/// The points that go on to the later stages.
 #[derive(Debug, Default)]
 pub struct Sorted {
     /// `(N)` representative of each point: itself; a point beside it, where a place is thinned; or [`CLUTTER`] for leaves,
     /// stray returns and veils between surfaces. Empty if every point represents itself.
     pub stands: Vec<u32>,
-    /// What was found.
+    /// Counts and figures on the sampling.
     pub findings: Findings,
 }
 
-/// Sorts the points of a cloud. `nearest` are the lists of nearest neighbours in order of distance.
+/// Sorts the points of a cloud into surface, clutter and excess. `nearest` are the lists of nearest neighbours in order of
+/// distance.
 pub fn sort(points: &[[f64; 3]], nearest: &Neighbors, mean: Resolution) -> Sorted {
     if points.len() < FEWEST {
         return Sorted::default();

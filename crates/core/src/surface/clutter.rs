@@ -22,8 +22,8 @@ const CROWD: (f64, f64) = (0.5, 0.75);
 /// Least share of a crowd's points that lie deep in it if it is clutter, besides at least [`ISLAND`] points: a crowd along a
 /// coarsely sampled edge is mostly rim.
 const MOSTLY_DEEP: f64 = 0.5;
-/// Greatest length of a link, spacings at its denser end, those of the point or of the place, whichever is the more: the first points beside a
-/// denser surface are at a dense place.
+/// Greatest length of a link, spacings at its denser end: the point's own or the smoothed one, whichever is greater, as the
+/// smoothed spacing of the first points beside a denser surface is too small.
 const LINK: f32 = 3.0;
 /// Mean distance of a point from its nearest neighbours above which it stands alone, relative to the spacing around it.
 const ALONE: f32 = 1.5;
@@ -34,11 +34,11 @@ const ROUNDS: usize = 3;
 /// Fewest points of a piece of surface.
 const ISLAND: u32 = super::PIECE as u32;
 
-/// `(N)` whether each point is clutter, and how many are in crowds.
+/// `(N)` whether each point is clutter, and the number of points in crowds that are.
 ///
 /// `nearest` are the lists of nearest neighbours in order of distance, `raw` the mean distance of the first of them, `spacing`
-/// the same smoothed, `gaps` the distances of rows, zero outside of rows: points in rows never count as alone, as at the end of a row
-/// the neighbours are farther than within it.
+/// the same smoothed, `gaps` the distances of rows, zero outside of rows. Points in rows never count as alone, as at the end of
+/// a row the neighbours are farther than within it.
 pub(super) fn clutter(
     points: &[[f64; 3]],
     nearest: &Neighbors,

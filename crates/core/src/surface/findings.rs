@@ -1,42 +1,41 @@
-//! What the stage found in a cloud, in figures and in words.
+//! Findings of the stage `surface` in a cloud: figures, and sentences for the user.
 
-/// Share of the points from which on a note tells of those in rows or in leaves.
+/// Share of the points in rows, or in leaves, above which a note reports them.
 const TOLD: f64 = 0.05;
-/// Ratio of the distances across and along rows up to which lines on them are to be relied on.
+/// Greatest ratio of the distances across and along rows at which lines on them are reliable.
 const RELIABLE: f64 = 10.0;
-/// Shares of the points between whose spacings the spread reaches.
+/// The quantiles of the spacings between which the spread reaches.
 const MOST: [f64; 2] = [0.05, 0.95];
 
-/// What the stage `surface` found in a cloud; lengths in the local frame, or in the unit of the input where [`Self::scaled`] has
-/// been called.
+/// The findings of the stage `surface`; lengths are in the local frame, or after [`Self::scaled`] in the unit of the input.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Findings {
     /// Points on no surface that fill a volume: leaves, rubble, spray.
     pub scattered: usize,
     /// Other points on no surface: stray returns, veils between surfaces.
     pub stray: usize,
-    /// Points represented by another, in rows and where noise exceeds the spacing.
+    /// Points represented by another: in rows, and where noise exceeds the spacing.
     pub thinned: usize,
     /// Points in rows.
     pub in_rows: usize,
-    /// Their distance across the rows over that along them, median.
+    /// Median ratio of their distances across and along the rows.
     pub row_ratio: f64,
-    /// Their distance across the rows, median.
+    /// Median of their distances across the rows.
     pub row_distance: f64,
-    /// The spacings that nine in ten points on surfaces lie between.
+    /// The range of spacings of nine in ten points on surfaces.
     pub spread: [f64; 2],
-    /// No surface was found, so that nothing was left out.
+    /// Whether no surface was found, so that no point was left out.
     pub none: bool,
 }
 
 impl Findings {
-    /// The same with lengths multiplied by `scale`.
+    /// The findings with lengths multiplied by `scale`.
     pub(crate) fn scaled(self, scale: f64) -> Findings {
         let spread = self.spread.map(|s| s * scale);
         Findings { row_distance: self.row_distance * scale, spread, ..self }
     }
 
-    /// A line on the points not used, of a cloud of `count` points; `None` where all are.
+    /// A line on the points not used, of `count` points in all; `None` if all are used.
     pub fn unused(&self, count: usize) -> Option<String> {
         let Findings { scattered, stray, thinned, .. } = self;
         let share = |some: usize| 100.0 * some as f64 / count as f64;
@@ -52,7 +51,7 @@ impl Findings {
         (!parts.is_empty()).then(|| format!("not used: {}", parts.join(", ")))
     }
 
-    /// What makes a result doubtful, of a cloud of `count` points.
+    /// Notes on findings that make a result doubtful, in a cloud of `count` points.
     pub(crate) fn notes(&self, count: usize) -> Vec<String> {
         let much = |some: usize| some as f64 > TOLD * count as f64;
         let share = |some: usize| 100.0 * some as f64 / count as f64;
@@ -86,7 +85,7 @@ impl Findings {
     }
 }
 
-/// The spacings that most points on surfaces lie between.
+/// The range of spacings of most points on surfaces.
 pub(super) fn spread(spacing: &[f32], clutter: &[bool]) -> [f64; 2] {
     let mut some: Vec<f32> = spacing.iter().zip(clutter).filter(|&(_, &c)| !c).map(|(&s, _)| s).collect();
     let last = some.len().saturating_sub(1) as f64;

@@ -1,23 +1,24 @@
 //! Rows: places sampled far more densely along the scan lines than across them.
 //!
-//! Where all nearest neighbours of a point lie in its own scan line, nothing sees the surface between the lines: every line looks like a
-//! crease or a border of its own.
+//! Where all nearest neighbours of a point lie in its own scan line, they do not show the surface between the lines, and every
+//! line looks like a crease or a border.
 
 use super::support::Plane;
 use crate::math::vec3::{add_scaled, dot, norm, sub};
 use crate::neighbors::{Found, Index, Neighbors};
 use rayon::prelude::*;
 
-/// Ratio of the axes of a neighbourhood in its plane from which on it is a piece of a row.
+/// Ratio of the axes of a neighbourhood in its plane above which it is a piece of a row.
 const ELONGATED: f32 = 3.0;
-/// Neighbours among which a point of the next row is looked for.
+/// Number of neighbours among which a point of the next row is searched.
 const SEARCHED: usize = 64;
 /// Least distance of the next row from the line through the point along its own, spacings.
 const BESIDE: f64 = 1.5;
-/// Greatest distance of the next row that the surface goes on to, spacings: what lies between rows farther apart is a guess.
+/// Greatest distance of the next row, spacings: the surface between rows farther apart is unknown.
 const FARTHEST: f64 = 12.0;
 
-/// `(N)` the distance from each point to the next row, smoothed; zero for points that lie in no row with another beside it.
+/// `(N)` distance from each point to the next row, smoothed; zero for points outside of rows, and in rows without another beside
+/// them.
 pub(super) fn gaps(points: &[[f64; 3]], nearest: &Neighbors, planes: &[Plane], spacing: &[f32]) -> Vec<f32> {
     let long: Vec<bool> = planes.par_iter().map(|p| p.elongation > ELONGATED).collect();
     let row = |&i: &u32| {
@@ -36,8 +37,8 @@ pub(super) fn gaps(points: &[[f64; 3]], nearest: &Neighbors, planes: &[Plane], s
     smoothed(points.len(), nearest, &rows, &gaps)
 }
 
-/// How many points lie in rows, and the medians of the ratio of their distances across and along the rows, and of that across. `raw` is the
-/// mean distance to the six nearest: to either side in the row the first three, on average two steps away.
+/// The number of points in rows, and the medians of the ratio of their distances across and along the rows, and of the distance
+/// across. `raw` is the mean distance to the six nearest: three on either side in the row, on average two steps away.
 pub(super) fn summary(gaps: &[f32], raw: &[f32]) -> (usize, f64, f64) {
     let in_rows = || gaps.iter().zip(raw).filter(|&(&gap, _)| gap > 0.0);
     let median = |mut values: Vec<f32>| {
@@ -52,7 +53,7 @@ pub(super) fn summary(gaps: &[f32], raw: &[f32]) -> (usize, f64, f64) {
     (in_rows().count(), ratio, median(in_rows().map(|(&gap, _)| gap).collect()))
 }
 
-/// The distance from point `i` to the next row; zero where there is none.
+/// The distance from point `i` to the next row; zero if there is none.
 fn gap(
     points: &[[f64; 3]],
     index: &Index,
@@ -71,7 +72,7 @@ fn gap(
     beside.map(norm).filter(|&gap| gap <= FARTHEST * unit).unwrap_or(0.0)
 }
 
-/// `(N)` the median of the gaps over the neighbours in rows; zero for points in none.
+/// `(N)` median of the gaps over the neighbours in rows; zero for points in no row.
 fn smoothed(count: usize, nearest: &Neighbors, rows: &[u32], gaps: &[f64]) -> Vec<f32> {
     let mut own = vec![0.0_f32; count];
     rows.iter().zip(gaps).for_each(|(&i, &g)| own[i as usize] = g as f32);

@@ -1,25 +1,25 @@
-//! Thinning: places sampled so densely that they say less of the surface, not more.
+//! Thinning of points in excess: where the sampling is so dense that neighbours do not show the surface.
 //!
-//! Along a scan line far from the next one, all neighbours of a point lie in the line; the points are thinned to half the distance of
-//! the lines. Right below a scanner, or where stations overlap, points lie nearer to each other than the noise allows to tell
-//! anything apart, and normals fitted to them point anywhere; they are thinned to a spacing of a few standard deviations of the noise.
-//! Points stay in canonical order, each point left out being represented by the one kept beside it.
+//! Along a scan line far from the next one, all neighbours of a point lie in the line; such points are thinned to half the
+//! distance between the lines. Right below a scanner, or where stations overlap, the spacing is below the noise, and normals
+//! fitted to neighbours are arbitrary; such points are thinned to a spacing of a few standard deviations of the noise. Points
+//! are taken in canonical order, and each point left out is represented by the kept one beside it.
 
 use crate::neighbors::Index;
 use crate::resolution::Resolution;
 
-/// Distance of the points that stay in rows, as a share of the distance of the rows.
+/// Distance between kept points in rows, as a share of the distance between the rows.
 const IN_ROWS: f32 = 0.5;
-/// Spacing below which noise blurs the surface, in its standard deviations.
+/// Spacing below which noise blurs the surface, standard deviations of the noise.
 const NOISY: f64 = 6.0;
-/// Share of that spacing below which a place is thinned, and least distance of the points that stay as a share of it: random points that
-/// keep this distance have about that spacing.
+/// Share of that spacing below which a place is thinned; and the least distance of kept points, as random points at this
+/// distance have about that spacing.
 const DENSE: f64 = 0.7;
 
-/// `(N)` the representative of each point: itself, or the point kept beside it where a place is thinned. `gaps` are the distances of
-/// rows at each point, zero outside of rows; `spacing` the spacing at each.
+/// `(N)` representative of each point: itself, or the kept point beside it where a place is thinned. `gaps` is the distance of
+/// the rows at each point, zero outside of rows; `spacing` is the spacing at each point.
 pub(super) fn thin(points: &[[f64; 3]], gaps: &[f32], spacing: &[f32], mean: Resolution) -> Vec<u32> {
-    // Nowhere coarser than the cloud as a whole: a noisy cloud is left as dense as it is.
+    // No place is made coarser than the cloud as a whole, so that a noisy cloud stays as dense as it is.
     let dense = DENSE * (NOISY * mean.noise).min(mean.spacing);
     let apart = |i: usize| match gaps[i] {
         gap if gap > 0.0 => f64::from(IN_ROWS * gap),
