@@ -28,7 +28,7 @@ use side::shifted;
 pub(crate) struct Drawn {
     /// Its outline.
     pub chain: Chain,
-    /// How fast the wall moves to the right of the outline with growing height.
+    /// Slope of the wall: its movement to the right of the outline with growing height.
     pub growth: Growth,
 }
 
@@ -103,8 +103,8 @@ fn outline(band: &Band, params: &SectionParams) -> Chain {
     }
 }
 
-/// How far a region's points may lie from its chord on average (the paper's e): as given, or twice the band's own
-/// thickness, from noise or from the slab, and a little for the bend within a chord.
+/// Greatest mean distance of a region's points from its chord (the paper's e): as given, or twice the band's own thickness,
+/// from noise or from the slab, plus a little for the bend within a chord.
 fn threshold(band: &Band, given: Auto<f64>) -> f64 {
     let (mut sum, mut spacing) = (0.0, 0.0);
     for mark in &band.marks {

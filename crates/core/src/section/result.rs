@@ -5,7 +5,7 @@ use super::frame::SliceFrame;
 use super::outline::Drawn;
 use crate::curve::{BSpline, polygon};
 
-/// Fewest points of a slab that a curve is sought in.
+/// Fewest points of a slab in which a curve is sought.
 pub(crate) const FEWEST_POINTS: usize = 4;
 
 /// All sections of a cloud.
@@ -37,7 +37,7 @@ pub struct Section {
     /// The part of the axis that the section stands for, world unit: neighbouring ones share their bounds, so that
     /// nothing is left out between them. `None` for planes at given positions.
     pub slab: Option<[f64; 2]>,
-    /// Points of the cloud near enough to the plane to be looked at.
+    /// Number of points of the cloud in the slab.
     pub points: usize,
     /// The curves, longest first.
     pub contours: Vec<Contour>,

@@ -2,7 +2,7 @@
 //! and repeated parts: runs of like contours.
 //!
 //! Contours of neighbouring slices are matched into tracks; a track is cut into runs over which the outline stays
-//! (extrusion), changes evenly (taper), or stays round about one axis (revolution). Where a run ends is read from the
+//! (extrusion), changes evenly (taper), or stays round about one axis (revolution). The end of a run is found from the
 //! flat faces and the last points of its wall between the slices, not from the slices alone.
 
 mod ends;
@@ -28,7 +28,7 @@ use runs::Found;
 
 pub use result::{Feature, Mirror, Repeat, Run, Stack};
 
-/// How far contours of one outline may lie apart on average, world unit: as given, or by the noise.
+/// Greatest mean distance between contours of the same outline, world unit: as given, or derived from the noise.
 fn tolerance(sections: &Sections, params: &SectionParams) -> f64 {
     params.same_spacings.or(|| 0.12 + 0.5 * sections.noise) * sections.spacing
 }

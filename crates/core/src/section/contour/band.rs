@@ -19,18 +19,18 @@ pub(crate) struct Mark {
     pub blur: f64,
     /// See [`Sample`](crate::section::surface::carry::Sample).
     pub spacing: f64,
-    /// How fast the wall moves to the right of the contour with growing height.
+    /// Slope of the wall: its movement to the right of the contour with growing height.
     pub growth: f64,
     /// The index of the sample.
     pub source: u32,
 }
 
-/// How fast a wall moves to the right of its contour with growing height.
+/// The slope of a wall: its movement to the right of its contour with growing height.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Growth {
     /// The median along the contour.
     pub middle: f64,
-    /// The value that nine tenths of the contour stay under, of either sign.
+    /// The quantile of nine tenths of its size along the contour.
     pub most: f64,
 }
 

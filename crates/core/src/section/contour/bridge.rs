@@ -9,7 +9,7 @@ use crate::math::trees::packed::Packed;
 use crate::math::vec2::{along, distance, dot, local, sub, unit};
 use crate::section::surface::carry::Sample;
 
-/// How far from each place of a bridge a sample is looked for, along and across it, in local spacings.
+/// Greatest distance of a sample from each place of a bridge, along and across it, local spacings.
 const SUPPORT_REACH: (f64, f64) = (1.0, 0.6);
 /// Least cosine between a bridge and the curve as a sample on it has it.
 const ALONG_COSINE: f64 = 0.7;

@@ -2,7 +2,7 @@
 
 use crate::section::contour::band::Band;
 
-/// How much wider a parabola's kernel is than a line's, for about the same scatter.
+/// Ratio of the kernel widths of a parabola and a line with about the same scatter.
 const PARABOLA: f64 = 1.5;
 
 /// A line fitted to the samples of a stretch of a band: position and direction as functions of the arc.

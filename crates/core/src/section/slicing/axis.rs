@@ -19,9 +19,9 @@ use pose::Pose;
 const NO_SURFACE: f64 = 0.4;
 /// Share of the surface that must hold an axis against turning.
 const HELD_SHARE: f64 = 0.05;
-/// Share of the surface by which axes are told apart.
+/// Difference in the share of the surface up to which axes are equally good.
 const AS_GOOD: f64 = 0.02;
-/// How many times as often the section may change along an axis that is as good.
+/// Greatest number of changes of the section along an axis that counts as good, as a multiple of the least number.
 const OFTEN: f64 = 1.25;
 
 /// The axis of the faces, a unit vector of either sign; `None` where none explains this `share` of the surface (chance

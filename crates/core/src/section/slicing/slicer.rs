@@ -23,8 +23,9 @@ use crate::section::surface::texture::{Texture, texture};
 use crate::section::surface::tile::{NOISY, Tile};
 use crate::section::surface::tiles::Tiles;
 
-/// How much farther than the slab reaches points are carried, unless a thickness is given, as points strewn at random leave
-/// holes in a thin slab: those with a plane each, and those of a flat tile, whose plane is surer.
+/// Distance from which points are carried, as a multiple of the slab's reach, unless a thickness is given, as randomly scattered
+/// points leave holes in a thin slab: for points with a plane of their own, and for those of a flat tile, whose plane is more
+/// certain.
 const CARRY_FARTHER: [f64; 2] = [1.2, 2.0];
 
 /// A cloud to be cut across one axis, with the values that all slices share.
@@ -129,8 +130,8 @@ impl<'a> Slicer<'a> {
         Section { plane: place.plane, height: place.height, slab: None, points, contours, missing }
     }
 
-    /// How far fitted curves may lie from their contours, local frame: as given, or the noise that smoothing leaves, with
-    /// room for a curve to differ.
+    /// Greatest distance of fitted curves from their contours, local frame: as given, or the noise left after smoothing, with
+    /// some tolerance for the curve.
     fn tolerance(&self) -> f64 {
         match self.params.tolerance {
             Auto::Given(tolerance) => tolerance / self.scale,
@@ -138,7 +139,7 @@ impl<'a> Slicer<'a> {
         }
     }
 
-    /// How many points lie in a slab, and the samples of those that can be carried to its plane.
+    /// The number of points in a slab, and the samples of those that can be carried to its plane.
     fn samples(&self, slab: &[u32], planes: &TangentPlanes, height: f64) -> (usize, Vec<Sample>) {
         let half = self.half();
         let (mut count, mut samples) = (0, Vec::with_capacity(2 * slab.len()));

@@ -116,7 +116,7 @@ fn stands(found: &Found, sections: &Sections) -> bool {
     4 * upright >= 3 * count
 }
 
-/// A wall that folds goes on at the same radius, which an extrusion tells better than a short taper.
+/// Gives a wall that continues across a fold the same radius, which an extrusion shows better than a short taper.
 fn continue_radius(below: &Feature, above: &mut Feature) {
     if let (Feature::Extrusion { radius: Some(known) }, Feature::Taper { radius: Some(radius), .. }) =
         (below, above)
@@ -144,7 +144,7 @@ fn end(search: &Search, spots: &[Spot], size: &Size, sections: &Sections) -> Opt
     first.or_else(apex).or_else(|| border::border(search, near, h, noise))
 }
 
-/// Lets two runs that meet end at one height, where only one of them tells it, or neither.
+/// Ends two runs that meet at the same height if only one of them shows it, or neither.
 fn meet(a: &mut Option<End>, b: &mut Option<End>, meeting: Option<(f64, f64)>, h: f64) {
     let sure = |e: &Option<End>| e.filter(|e| matches!(e.by, By::Face | By::Fold | By::Rim));
     let fold = |e: &End| matches!(e.by, By::Fold | By::Rim);

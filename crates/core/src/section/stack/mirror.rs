@@ -9,7 +9,7 @@ use crate::math::vec2::{along, distance, dot, left, sub};
 use crate::math::vec3;
 use crate::section::result::Sections;
 
-/// Angles looked at first, over half a turn.
+/// Number of angles that are tried first, over half a turn.
 const ANGLES: usize = 180;
 /// Slices that mirrors are sought in at first, and points of each of their contours.
 const FIRST_LOOK: (usize, usize) = (8, 64);

@@ -42,7 +42,7 @@ pub(super) struct Profile {
     pub steepest_deg: f64,
 }
 
-/// How far two outlines lie apart.
+/// The distance between two outlines.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Apart {
     /// Mean distance, the larger of both ways.
@@ -107,7 +107,7 @@ impl Profile {
         points.iter().step_by(points.len().div_ceil(most).max(1)).copied()
     }
 
-    /// How far the two outlines lie apart, the second moved by `shift`.
+    /// The distance between the two outlines, the second moved by `shift`.
     pub(super) fn apart(&self, other: &Profile, shift: [f64; 2]) -> Apart {
         let back = shift.map(|x| -x);
         let there = apart(self.some(POINTS).map(|p| other.outline.off(along(p, back, 1.0))));
@@ -120,7 +120,7 @@ impl Profile {
         sub(self.centroid, other.centroid)
     }
 
-    /// How far the wall lies out from that of `low`, on average: the area between them over their mean length.
+    /// Mean distance of the wall outward from that of `low`: the area between them over their mean length.
     pub(super) fn beyond(&self, low: &Profile) -> f64 {
         2.0 * (self.area - low.area) / (self.length + low.length)
     }

@@ -22,7 +22,7 @@ pub struct Run {
     pub from: f64,
     /// Where it ends along the axis, world unit.
     pub to: f64,
-    /// How far `from` and `to` may be off, world unit.
+    /// Errors of `from` and `to`, world unit.
     pub range_error: [f64; 2],
     /// Mean distance of the contours from the feature, world unit.
     pub residual: f64,

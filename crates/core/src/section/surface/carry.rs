@@ -17,7 +17,7 @@ const MERGED: f64 = 1.2;
 /// Places for them: a tile is about four spacings long, four that share a plane about eight.
 const BINS: usize = 12;
 
-/// Where the surface crosses the slicing plane, as one point of the slab or a few beside each other tell it.
+/// A place where the surface crosses the slicing plane, from one point of the slab or a few beside each other.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sample {
     /// Carried from the point itself.
@@ -32,12 +32,11 @@ pub(crate) struct Sample {
     pub lift: f64,
     /// Least and greatest of the lifts of its points.
     pub lifts: (f64, f64),
-    /// How much it counts: the less, the farther its points were carried.
+    /// Its weight: the less, the farther its points were carried.
     pub weight: f64,
     /// Local spacing.
     pub spacing: f64,
-    /// How far the foot may lie beside the curve, in local spacings: the noise of the tangent plane, stretched by
-    /// the slant of the surface.
+    /// Error of the foot across the curve, local spacings: the noise of the tangent plane, stretched by the slant of the surface.
     pub blur: f64,
     /// Number of points.
     pub count: u32,
@@ -46,7 +45,7 @@ pub(crate) struct Sample {
     pub weak: bool,
 }
 
-/// How far and on which faces points are carried.
+/// The limits within which points are carried, by distance and by face.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CarryLimits {
     /// Greatest distance along the surface in local spacings, of points with a plane each.

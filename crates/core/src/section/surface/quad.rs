@@ -7,13 +7,13 @@ use super::tile::{NARROW, Sides, Tile, farthest, most_off};
 use crate::math::vec3;
 use crate::neighbors::Leaf;
 
-/// How far from the middle of four flat tiles another may continue them, in spacings.
+/// Greatest distance from the middle of four flat tiles at which another may continue them, spacings.
 pub(crate) const CONTINUES_WITHIN: f64 = 10.0;
-/// How much wider than the median of its block a tile may be.
+/// Greatest width of a tile, as a multiple of the median of its block.
 const WIDEST_TILE: f64 = 3.0;
 /// Leaves next to each other that show together whether they are flat.
 pub(crate) const QUAD: usize = 4;
-/// How far from the middle of all four the middles of tiles that join may lie, in spacings: those in a row are too long.
+/// Greatest distance of the middles of joined tiles from the middle of all four, spacings: four tiles in a row are too long.
 const JOINED_WITHIN: f64 = 4.0;
 
 /// Settles which tiles of one block are flat, and gives their planes. A tile counts as flat with the three next to it, as

@@ -8,9 +8,9 @@ use crate::section::surface::tile::good;
 
 /// Residual, in spacings, that the bend of a bore adds to that of noise.
 const BORE_RESIDUAL: f64 = 0.05;
-/// How far, in standard deviations of all places, an axis may pass from a face that is turned about it.
+/// Greatest distance between an axis and a face that is turned about it, in standard deviations of all places.
 const AXIS_REACH: f64 = 3.0;
-/// How far normals may be off, degrees: without noise, and for each spacing of noise.
+/// Greatest error of normals, degrees: without noise, and for each spacing of noise.
 const OFF_DEG: (f64, f64) = (2.0, 12.0);
 
 /// A place on a face.
@@ -27,7 +27,7 @@ pub(crate) struct Facet {
 /// Evenly spread places that lie clear of edges.
 pub(crate) struct Facets {
     pub all: Vec<Facet>,
-    /// How far normals may be off, radians.
+    /// Greatest error of normals, radians.
     pub off: f64,
     /// Area of all of them.
     pub area: f64,

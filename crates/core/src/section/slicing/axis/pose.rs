@@ -8,9 +8,9 @@ use crate::math::vec3;
 /// second: without room it would not move.
 const ROUNDS: usize = 8;
 const WIDER: [f64; 2] = [3.0, 2.0];
-/// How far from a line, in spacings, the normals of facets turned about it pass.
+/// Greatest distance at which the normals of facets turned about a line pass it, spacings.
 const PASSES_WITHIN: f64 = 0.5;
-/// Radius, in shares of the reach, within which facets turned about a line tell no more than there.
+/// Least radius of facets turned about a line, as a share of the reach: nearer ones count as if they were there.
 const LEAST_RADIUS: f64 = 0.1;
 /// Weight, as a share of the whole surface, that keeps a line in place where no facet moves it.
 const STAY_WEIGHT: f64 = 1e-6;
@@ -159,7 +159,7 @@ impl Pose {
         own.map(|f| f.area).sum::<f64>() / facets.area
     }
 
-    /// How many faces lie across it, those of much area counting whole.
+    /// The number of faces across it, in which those of great area count fully.
     pub(crate) fn changes(&self, facets: &Facets) -> f64 {
         let across =
             facets.all.iter().filter(|f| matches!(self.lie(f, facets, facets.off), Some(Lie::Across(_))));

@@ -6,7 +6,7 @@ use super::end::{By, End};
 use super::ground::Spot;
 use super::search::Search;
 
-/// How far from the last point an end is looked for, in spacings, and in standard deviations of the noise.
+/// Greatest distance of an end before the last point, spacings; plus four standard deviations of the noise.
 const END_REACH: f64 = 1.0;
 /// Chance given to points that belong to nothing.
 const STRAY_CHANCE: f64 = 1e-3;

@@ -5,13 +5,13 @@ use crate::math::least_squares::least_squares;
 use crate::math::quantile::middle;
 use crate::math::vec2::{distance, dot, left};
 
-/// How many standard errors a bend must have to be one.
+/// Least bend that counts, in its standard errors.
 const CLEAR_BEND: f64 = 6.0;
 /// Cosine of the angle between the axis and the normals of points that may lie on a crest: 37 degrees.
 const CREST_COSINE: f64 = 0.8;
-/// How far outside of the points, in shares of their reach, the level place may lie.
+/// Greatest distance of the level place from the middle of the points, in units of their reach.
 const OUTSIDE: f64 = 1.3;
-/// How often the points near a crest are gathered.
+/// Rounds in which the points near a crest are gathered.
 const ROUNDS: usize = 2;
 
 /// The level height and the spread about a parabola over the distance from a centre.

@@ -1,11 +1,11 @@
 //! The end of a run.
 
-/// Where a run ends, with how far off that may be.
+/// The end of a run, with its error.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct End {
     /// World height.
     pub height: f64,
-    /// How far off that may be.
+    /// The error of the height.
     pub error: f64,
     pub by: By,
 }

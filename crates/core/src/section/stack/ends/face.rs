@@ -19,9 +19,9 @@ const PARABOLA_GAIN: f64 = 12.0;
 const CHANCE: usize = 8;
 /// Fewest points of one face among several, which is fitted by itself, in multiples of the fewest.
 const PART: usize = 3;
-/// How far apart, in spacings, points of one face lie at most.
+/// Greatest distance between points of one face, spacings.
 const FACE_GAP: f64 = 3.0;
-/// How far, in spacings, a round face may leave its parabola, and a flat one its level.
+/// Greatest deviation of a round face from its parabola, and of a flat one from its level, spacings.
 const MISFIT: (f64, f64) = (0.02, 1e-3);
 
 /// A height that points show.
@@ -31,7 +31,7 @@ struct Level {
     /// Width of the middle two thirds about it.
     spread: f64,
     count: usize,
-    /// Whether a parabola tells it, which a round face leaves a little.
+    /// Whether it was found by a parabola, from which a round face deviates a little.
     bent: bool,
 }
 

@@ -9,9 +9,9 @@ use super::search::Search;
 
 /// Share of the points on slanted walls that must show a fold.
 const FOLD_SHARE: f64 = 0.35;
-/// How far from an edge, in spacings, planes show one face: without noise, and for each spacing of noise.
+/// Distance from an edge beyond which planes show one face, spacings: without noise, and for each spacing of noise.
 pub(super) const CLEAR_OF_EDGE: (f64, f64) = (1.6, 2.0);
-/// How far the leans of one wall spread, degrees: without noise, and for each spacing of noise.
+/// Spread of the slopes of one wall, degrees: without noise, and for each spacing of noise.
 const ALIKE_DEG: (f64, f64) = (4.0, 40.0);
 
 /// The height at which the slanted walls beside an outline meet it.

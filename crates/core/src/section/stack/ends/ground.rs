@@ -12,9 +12,9 @@ use crate::section::surface::plane::TangentPlane;
 use crate::section::surface::tangents::tangent_planes;
 use crate::section::surface::tiles::Tiles;
 
-/// How far beside an outline its end is looked for, in spacings.
+/// Distance beside an outline up to which its end is searched, spacings.
 pub(super) const OUTLINE_REACH: f64 = 6.0;
-/// Most leaves of the index that are looked at for one end: of upright walls, of others.
+/// Greatest number of leaves of the index that are searched for one end: of upright walls, of others.
 const LEAVES: [usize; 2] = [100, 300];
 /// Sine of the angle to the axis below which a wall counts as upright: 8 degrees.
 const UPRIGHT: f64 = 0.14;
@@ -138,7 +138,7 @@ impl<'a> Ground<'a> {
     }
 }
 
-/// Points that show ends other than slow ones, of those that are looked at.
+/// The points, of those considered, that show ends other than slow ones.
 pub(super) fn ahead_of_start<'s>(search: &Search, spots: &'s [Spot]) -> &'s [Spot] {
     &spots[spots.partition_point(|s| search.ahead(s.height) < -search.behind)..]
 }

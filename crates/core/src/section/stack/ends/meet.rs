@@ -13,15 +13,15 @@ pub(crate) const FEWEST_MEETS: usize = 8;
 const LEVEL_COSINE: f64 = 0.9976;
 /// Cosine of the angle by which a slanted plane may fall aside.
 const ACROSS_COSINE: f64 = 0.7;
-/// How far beside an outline planes tell where they meet it, in spacings.
+/// Distance beside an outline up to which planes show where they meet it, spacings.
 const BESIDE_OUTLINE: f64 = 6.0;
 
 /// A slanted plane beside an outline.
 #[derive(Clone, Copy)]
 pub(super) struct Meet {
-    /// How far ahead the plane meets the outline.
+    /// Distance ahead at which the plane meets the outline.
     pub ahead: f64,
-    /// How far ahead its point lies, and how far beside the outline.
+    /// Distance of its point ahead and beside the outline.
     pub own: f64,
     pub off: f64,
     /// Rise of the wall for each unit that it falls aside.

@@ -8,11 +8,11 @@ use super::search::Search;
 use crate::math::least_squares::least_squares;
 use crate::math::vec2::{along, distance, dot, sub, unit};
 
-/// How far from their edge, in spacings, points show one wall: without noise, and for each spacing of noise.
+/// Distance from the edge beyond which points show one wall, spacings: without noise, and for each spacing of noise.
 const OWN_WALL: (f64, f64) = (0.7, 2.0);
 /// Width, in spacings, of the middle two thirds of a wall: planes at a sharp edge lean as well, but no farther from it.
 const WALL_WIDTH: f64 = 1.5;
-/// How far beyond its level place, in spacings, a curve is followed.
+/// Greatest distance to which a curve is followed beyond its level place, spacings.
 const RISE: f64 = 3.0;
 /// Standard errors of a bend that make it one, and the share of the squared spread that it may leave.
 const BEND_ERRORS: f64 = 6.0;
@@ -118,7 +118,7 @@ impl Bent {
         Some(bent)
     }
 
-    /// How far a point at a place lies from it.
+    /// The distance of a point at a place from it.
     fn rest(&self, m: &Meet, s: f64) -> f64 {
         m.own - self.at - (self.slope + self.bend * s) * s - (self.rise + self.gain * s * s) * m.off
     }

@@ -1,4 +1,4 @@
-//! Where the ends of a run are looked for.
+//! The search ranges for the ends of a run.
 
 use super::size::Size;
 use crate::curve::polygon::contains;
@@ -7,24 +7,24 @@ use crate::section::stack::profile::Profile;
 use crate::section::stack::result::{Feature, Run};
 use crate::section::stack::runs::Found;
 
-/// How far behind its slice, in spacings, an end may lie.
+/// Greatest distance of an end behind its slice, spacings.
 const BEHIND: f64 = 0.7;
 /// The same where its wall bends away slowly, as at the rim of a countersink cut from the side: a slice some way beyond it
 /// still nearly shows the outline.
 const SLOWLY: f64 = 4.0;
-/// How far around an end points show it, in spacings.
+/// Distance from an end up to which points show it, spacings.
 const AROUND: f64 = 2.0;
 
-/// An end of a run that is looked for between two heights, the first at the run's own slice.
+/// The search for an end of a run between two heights, the first at the run's own slice.
 pub(super) struct Search<'a> {
     pub outline: &'a Profile,
     pub inner: f64,
     pub outer: f64,
-    /// How far behind `inner` it may lie.
+    /// Greatest distance of the end behind `inner`.
     pub behind: f64,
-    /// How far behind it points are looked at, and slow ends.
+    /// Distance behind `inner` up to which points and slow ends are considered.
     slowly: f64,
-    /// How far beyond `outer` points are looked at.
+    /// Distance beyond `outer` up to which points are considered.
     around: f64,
     /// Whether the walls stand along the axis.
     pub upright: bool,
@@ -33,12 +33,12 @@ pub(super) struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// How far ahead of the run's slice a height lies.
+    /// The distance of a height ahead of the run's slice.
     pub(super) fn ahead(&self, height: f64) -> f64 {
         (height - self.inner) * (self.outer - self.inner).signum()
     }
 
-    /// Heights of the points looked at: those that show an end lie around it.
+    /// The range of heights of the points considered, as points around an end show it.
     pub(super) fn range(&self) -> (f64, f64) {
         let far = self.outer + self.around * (self.outer - self.inner).signum();
         let start = self.inner - self.slowly * (self.outer - self.inner).signum();
@@ -100,7 +100,8 @@ pub(super) fn searches<'a>(
     [search(low, first, below), search(high, last, above)]
 }
 
-/// How far beyond its outermost slice a turned wall that closes may go on: its radius there, as a wall that bends inwards does.
+/// Greatest distance by which a closing wall of revolution continues beyond its outermost slice: its radius there, as for a wall
+/// that bends inwards.
 fn closing(run: &Run, profiles: &[&Profile], end: usize) -> f64 {
     let n = profiles.len();
     let (outer, inner) =
@@ -109,8 +110,7 @@ fn closing(run: &Run, profiles: &[&Profile], end: usize) -> f64 {
     outer.round.filter(|_| turned && outer.area < inner.area).map_or(0.0, |r| r.radius)
 }
 
-/// Whether a point lies within an outline: the whole of a face or a bore tells where it lies, and a slanted wall goes on
-/// there.
+/// Whether a point lies within an outline, where a whole face or bore shows its height and where a slanted wall continues.
 pub(crate) fn inside(search: &Search, p: [f64; 2]) -> bool {
     contains(search.outline.outline.points(), p)
 }

@@ -7,13 +7,13 @@ use crate::section::stack::profile::Profile;
 use crate::section::stack::result::Feature;
 use crate::section::stack::runs::Found;
 
-/// How far from the last contour an apex is looked for, in spacings.
+/// Greatest distance of an apex from the last contour, spacings.
 const APEX_REACH: f64 = 12.0;
-/// How far from the ends of a run, in spacings, its slices show nothing of the next wall.
+/// Distance from the ends of a run beyond which its slices do not show the next wall, spacings.
 const CLEAR_OF_ENDS: f64 = 2.0;
 /// Fewest of them that are taken alone.
 const FEWEST_CLEAR: usize = 4;
-/// How near to a line, or to a square, the moves must come to count as it; in squares.
+/// Greatest difference of the quadratic share from 0, or from 1, at which the moves count as a line, or as a square.
 const NEARLY: f64 = 0.4;
 /// Least squared standard errors that the free parabola must explain more, to be preferred.
 const FREE_GAIN: f64 = 9.0;
@@ -25,7 +25,7 @@ pub(super) struct Size {
     /// Constant, linear, squared; `None` where the outline moves in no even way.
     area: Option<[f64; 3]>,
     radius: Option<[f64; 2]>,
-    /// How far off the area may be; infinite of few slices.
+    /// Error of the area; infinite for few slices.
     error: f64,
     /// Whether the outline grows with height.
     grows: bool,

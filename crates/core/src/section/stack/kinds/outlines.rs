@@ -6,14 +6,14 @@ use std::collections::BTreeMap;
 use crate::section::stack::profile::{Apart, Profile};
 use crate::section::stack::result::Feature;
 
-/// How far an outline jumps, in tolerances, where an extrusion or a taper ends within a track.
+/// Least jump of an outline at which an extrusion or a taper ends within a track, in tolerances.
 pub(crate) const JUMP: f64 = 3.0;
-/// How far the middle of a wall, and nine tenths of an extrusion's, may stand from the slope of the run, degrees: without
-/// noise, and for each spacing of noise.
+/// Greatest angles between the slope of the run and the median slope of a wall, and the slope of nine tenths of an extrusion's
+/// wall, degrees: without noise, and for each spacing of noise.
 const SLOPE_DEG: [(f64, f64); 2] = [(1.0, 8.0), (3.0, 12.0)];
-/// How far beside a fold, in spacings, slices show a mean of both walls.
+/// Distance from a fold up to which slices show a mean of both walls, spacings.
 pub(crate) const FOLD: f64 = 1.2;
-/// How far from an edge, in spacings, walls do not lean from it.
+/// Distance from an edge beyond which it does not affect the slope of walls, spacings.
 pub(crate) const CLEAR_OF_FOLD: f64 = 2.0 * FOLD;
 /// Noise in spacings above which walls beside a face may seem to lean.
 const NOISY_WALLS: f64 = 0.15;
@@ -40,11 +40,11 @@ pub(crate) struct Reached {
 pub(crate) struct Outlines<'a> {
     /// Ascending.
     pub all: &'a [&'a Profile],
-    /// How far apart outlines that agree may lie.
+    /// Greatest distance between outlines that agree.
     pub tolerance: f64,
     /// Of the cloud.
     pub spacing: f64,
-    /// How far the middle of a wall, and nine tenths of it, may stand from the slope of the run, degrees.
+    /// Greatest angles between the slope of the run and the median slope of a wall, and the slope of nine tenths of it, degrees.
     pub slopes: [f64; 2],
     /// Whether the planes of single points say little.
     pub noisy: bool,
@@ -92,7 +92,7 @@ impl<'a> Outlines<'a> {
         if up { Box::new(end + 1..self.all.len()) } else { Box::new((0..end).rev()) }
     }
 
-    /// How many contours of a run may stray.
+    /// The number of contours of a run that may stray.
     pub(crate) fn spared(first: usize, last: usize) -> usize {
         (last + 1 - first) / 8
     }

@@ -10,7 +10,7 @@ use crate::section::stack::result::Feature;
 const FEWEST_SLICES: usize = 4;
 /// Least fold at the ends of a taper, as a multiple of its own bend continued to there, or of the slope taken for straight.
 const SHARP: f64 = 4.0;
-/// How far the halves of a taper may lean apart, as a multiple of the slope taken for straight.
+/// Greatest difference between the slopes of the two halves of a taper, as a multiple of the slope that counts as straight.
 const BEND: f64 = 1.5;
 /// Radius in spacings below which a contour says little.
 const SMALL_RADIUS: f64 = 3.0;
@@ -81,8 +81,7 @@ impl Outlines<'_> {
         Some(worst)
     }
 
-    /// How far a contour lies from where two others, blended by height, would put it: the mean distance, and the mean
-    /// with its sign, positive for the outside.
+    /// Distance of a contour from the blend of two others by height: its mean, and its signed mean, positive for the outside.
     fn off_blend(&self, pairs: &[Pair], first: usize, last: usize, k: usize) -> (f64, f64) {
         let (low, high, p) = (self.all[first], self.all[last], self.all[k]);
         let share = (p.height - low.height) / (high.height - low.height);
@@ -170,7 +169,7 @@ impl Outlines<'_> {
         (middle, at(&mut slopes, 0.9))
     }
 
-    /// Contours beyond an end that tell how a taper ends: clear of the fold, and not so small that they say little.
+    /// Contours beyond an end that show how a taper ends: clear of the fold, and not too small.
     fn beyond(&self, end: usize, up: bool) -> Vec<usize> {
         let own = self.all[end].height;
         let tells = |&k: &usize| {
