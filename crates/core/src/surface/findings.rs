@@ -7,7 +7,7 @@ const RELIABLE: f64 = 10.0;
 /// The quantiles of the spacings between which the spread reaches.
 const MOST: [f64; 2] = [0.05, 0.95];
 
-/// The findings of the stage `surface`; lengths are in the local frame, or after [`Self::scaled`] in the unit of the input.
+/// The findings of the stage `surface`; lengths are in the local frame, or after `scaled` in the unit of the input.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Findings {
     /// Points on no surface that fill a volume: leaves, rubble, spray.
