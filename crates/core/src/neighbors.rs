@@ -14,6 +14,7 @@ mod rows;
 #[cfg(target_arch = "x86_64")]
 mod simd;
 mod split;
+mod subset;
 
 pub use density::mean_distance;
 pub use engine::Instructions;
@@ -24,6 +25,7 @@ pub(crate) use leaf::{Leaf, WIDTH};
 pub(crate) use nearest::nearest_leaves;
 pub use nearest::{all_nearest, all_nearest_with, nearest_blocks};
 pub use rows::Neighbors;
+pub use subset::among;
 
 #[cfg(test)]
 mod tests;

@@ -4,7 +4,7 @@ use crate::cloud::Cloud;
 use crate::error::Error;
 use crate::frame::{Frame, Localised};
 use crate::math::vec3::{cross, norm, sub};
-use crate::neighbors::{Neighbors, all_nearest, riemannian};
+use crate::neighbors::{Neighbors, all_nearest, among, riemannian};
 use crate::params::{Auto, Clutter, Method, Params, PenaltyForm, SegmentForm};
 use crate::report::{Clock, Report, Stage};
 use crate::resolution::Resolution;
@@ -57,11 +57,14 @@ pub(crate) fn prepare(world: &Cloud, params: &Params, clock: &mut Clock) -> Resu
             if sorted.stands.is_empty() {
                 return Ok(());
             }
-            // Freed first: the old lists beside the new ones would raise the peak of memory.
-            joined = Joined::default();
-            clutter = take_out(&sorted.stands, &mut positions, &mut source, &mut canonical);
+            // The old graph is freed first: beside the new one it would raise the peak of memory.
+            let all = std::mem::take(&mut joined).nearest;
+            let number = numbers(&sorted.stands);
+            clutter = take_out(&sorted.stands, &number, &mut positions, &mut source, &mut canonical);
             refuse_degenerate(world.len(), &positions)?;
-            joined = Joined::new(&positions, params);
+            let nearest = among(&all, params.neighbors.k, &number, &positions);
+            drop(all);
+            joined = Joined::over(nearest, &positions, params);
             Ok(())
         })?;
     }
@@ -107,7 +110,10 @@ struct Joined {
 
 impl Joined {
     fn new(positions: &[[f64; 3]], params: &Params) -> Joined {
-        let nearest = all_nearest(positions, params.neighbors.k);
+        Joined::over(all_nearest(positions, params.neighbors.k), positions, params)
+    }
+
+    fn over(nearest: Neighbors, positions: &[[f64; 3]], params: &Params) -> Joined {
         let graph = riemannian::graph(positions, &nearest);
         let resolution = Resolution::estimate(positions, &nearest, &graph);
         let resolution = match params.penalty.noise_spacings {
@@ -118,22 +124,26 @@ impl Joined {
     }
 }
 
+/// `(N)` new index of each point that represents itself; `u32::MAX` for the others.
+fn numbers(stands: &[u32]) -> Vec<u32> {
+    let mut next = 0;
+    let number = |(&stand, i): (&u32, u32)| {
+        let stays = stand == i;
+        next += u32::from(stays);
+        if stays { next - 1 } else { u32::MAX }
+    };
+    stands.iter().zip(0..).map(number).collect()
+}
+
 /// Takes the points that do not represent themselves out of the positions and sources, and leads their canonical indices to
 /// their representatives; returns the input points that are clutter, ascending.
 fn take_out(
     stands: &[u32],
+    number: &[u32],
     positions: &mut Vec<[f64; 3]>,
     source: &mut Vec<u32>,
     canonical: &mut [u32],
 ) -> Vec<u32> {
-    let stays = |i: usize| stands[i] as usize == i;
-    let mut kept = 0;
-    let number: Vec<u32> = (0..stands.len())
-        .map(|i| {
-            kept += u32::from(stays(i));
-            kept.wrapping_sub(1)
-        })
-        .collect();
     let mut clutter = Vec::new();
     for (i, place) in canonical.iter_mut().enumerate().filter(|(_, c)| **c != u32::MAX) {
         let stand = stands[*place as usize];
@@ -142,13 +152,10 @@ fn take_out(
             clutter.push(i as u32);
         }
     }
-    let keep = |i: &mut usize| {
-        *i += 1;
-        stays(*i - 1)
-    };
-    let (mut p, mut s) = (0, 0);
-    positions.retain(|_| keep(&mut p));
-    source.retain(|_| keep(&mut s));
+    let mut stays = number.iter().map(|&n| n != u32::MAX);
+    positions.retain(|_| stays.next().unwrap_or(false));
+    let mut stays = number.iter().map(|&n| n != u32::MAX);
+    source.retain(|_| stays.next().unwrap_or(false));
     clutter
 }
 

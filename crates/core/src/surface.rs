@@ -3,6 +3,7 @@
 
 mod clutter;
 mod findings;
+mod islands;
 mod rows;
 mod scales;
 mod support;

@@ -27,7 +27,7 @@ pub fn plane_normal(points: &[[f64; 3]], own: usize, neighbors: &[u32]) -> [f64;
 }
 
 /// Centre of the set, from the point, and its correlation tensor.
-fn correlation(points: &[[f64; 3]], own: usize, neighbors: &[u32]) -> ([f64; 3], Symmetric3) {
+pub fn correlation(points: &[[f64; 3]], own: usize, neighbors: &[u32]) -> ([f64; 3], Symmetric3) {
     let origin = points[own];
     let (mut sum, mut products): ([f64; 3], Symmetric3) = ([0.0; 3], [0.0; 6]);
     for &j in neighbors {

@@ -7,6 +7,7 @@
 //! such as a stray return or a point in the thread of a veil. Finally points among clutter join it, and so do islands in it
 //! that are too small to be surface.
 
+use super::islands::islands;
 use super::support::{Plane, supported};
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::distance;
@@ -62,23 +63,9 @@ pub(super) fn clutter(
         let [little, most] = [DRAWN.0, DRAWN.1].map(|share| where_share(nearest, &clutter, share));
         clutter = each().map(|i| clutter[i] || most[i] || (bare[i] && little[i])).collect();
     }
-    leave_islands(points, nearest, &reach, &mut clutter);
+    let small = islands(points, nearest, &reach, &clutter);
+    clutter = each().map(|i| clutter[i] || small[i]).collect();
     (clutter, scattered)
-}
-
-/// Makes remaining pieces that are too small for a surface clutter as well.
-fn leave_islands(points: &[[f64; 3]], nearest: &Neighbors, reach: &[f32], clutter: &mut [bool]) {
-    let mut sets = UnionFind::new(points.len());
-    for i in (0..points.len()).filter(|&i| !clutter[i]) {
-        for j in nearest.of(i).iter().map(|&j| j as usize).filter(|&j| !clutter[j]) {
-            if distance(points[i], points[j]) <= f64::from(reach[i].min(reach[j])) {
-                sets.union(i as u32, j as u32);
-            }
-        }
-    }
-    let mut sizes = vec![0_u32; points.len()];
-    (0..points.len()).filter(|&i| !clutter[i]).for_each(|i| sizes[sets.find(i as u32) as usize] += 1);
-    (0..points.len()).for_each(|i| clutter[i] |= sizes[sets.find(i as u32) as usize] < ISLAND);
 }
 
 /// `(N)` whether more than the given share of the neighbours of each point are marked.

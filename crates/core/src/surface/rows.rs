@@ -3,7 +3,8 @@
 //! Where all nearest neighbours of a point lie in its own scan line, they do not show the surface between the lines, and every
 //! line looks like a crease or a border.
 
-use super::support::Plane;
+use super::support::{Plane, fitted};
+use crate::math::tensor::ellipsoid;
 use crate::math::vec3::{add_scaled, dot, norm, sub};
 use crate::neighbors::{Found, Index, Neighbors};
 use rayon::prelude::*;
@@ -32,7 +33,7 @@ pub(super) fn gaps(points: &[[f64; 3]], nearest: &Neighbors, planes: &[Plane], s
     let index = Index::build(points);
     let gaps: Vec<f64> = rows
         .par_iter()
-        .map_init(Vec::new, |found, &i| gap(points, &index, planes, spacing, i, found))
+        .map_init(Vec::new, |found, &i| gap(points, &index, nearest, spacing, i, found))
         .collect();
     smoothed(points.len(), nearest, &rows, &gaps)
 }
@@ -57,13 +58,14 @@ pub(super) fn summary(gaps: &[f32], raw: &[f32]) -> (usize, f64, f64) {
 fn gap(
     points: &[[f64; 3]],
     index: &Index,
-    planes: &[Plane],
+    nearest: &Neighbors,
     spacing: &[f32],
     i: u32,
     found: &mut Vec<Found>,
 ) -> f64 {
     let i = i as usize;
-    let (along, unit) = (planes[i].along.map(f64::from), f64::from(spacing[i]));
+    let along = ellipsoid(points, i, fitted(nearest, i)).axes.vectors[2];
+    let unit = f64::from(spacing[i]);
     index.nearest(points[i], SEARCHED, found);
     let beside = found.iter().map(|f| sub(points[f.index as usize], points[i])).find(|&d| {
         let across = norm(add_scaled(d, along, -dot(d, along)));

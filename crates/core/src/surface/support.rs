@@ -4,7 +4,9 @@
 //! Among the planes of the point and of its nearest neighbours, each fitted to a few points, the best one through the point
 //! counts, as in the consensus of the normals (`detect/evidence/consensus.rs`).
 
-use crate::math::tensor::ellipsoid;
+use crate::math::eigen3::Symmetric3;
+use crate::math::least_axis::least_axis;
+use crate::math::tensor::correlation;
 use crate::math::vec3::{dot, sub};
 use crate::neighbors::{Found, Index, Neighbors};
 use crate::resolution::Resolution;
@@ -26,8 +28,6 @@ pub(super) struct Plane {
     centre: [f32; 3],
     /// Unit normal without orientation.
     normal: [f32; 3],
-    /// Unit direction of the greatest extent of its points.
-    pub(super) along: [f32; 3],
     /// Ratio of its points' extents in the plane, at least 1.
     pub(super) elongation: f32,
 }
@@ -35,17 +35,29 @@ pub(super) struct Plane {
 /// `(N)` the plane through each point and its nearest neighbours.
 pub(super) fn planes(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<Plane> {
     let fit = |i: usize| {
-        let near = nearest.of(i);
-        let fit = ellipsoid(points, i, &near[..near.len().min(FITTED)]);
-        let [_, middle, most] = fit.axes.values.map(|x| x.max(0.0));
+        let (centre, tensor) = correlation(points, i, fitted(nearest, i));
+        let (least, normal) = least_axis(&tensor);
         Plane {
-            centre: fit.centre.map(|x| x as f32),
-            normal: fit.axes.vectors[0].map(|x| x as f32),
-            along: fit.axes.vectors[2].map(|x| x as f32),
-            elongation: (most / middle.max(f64::MIN_POSITIVE)).sqrt() as f32,
+            centre: centre.map(|x| x as f32),
+            normal: normal.map(|x| x as f32),
+            elongation: elongation(&tensor, least) as f32,
         }
     };
     (0..points.len()).into_par_iter().with_min_len(1024).map(fit).collect()
+}
+
+/// The neighbours that the plane of point `i` is fitted to.
+pub(super) fn fitted(nearest: &Neighbors, i: usize) -> &[u32] {
+    let near = nearest.of(i);
+    &near[..near.len().min(FITTED)]
+}
+
+/// Square root of the ratio of the two greater eigenvalues, of which the sum and the product follow from the invariants and the least.
+fn elongation([a, b, c, d, e, f]: &Symmetric3, least: f64) -> f64 {
+    let sum = a + d + f - least;
+    let product = a * d - b * b + a * f - c * c + d * f - e * e - least * sum;
+    let most = 0.5 * sum + (0.25 * sum * sum - product).max(0.0).sqrt();
+    (most / (product / most).max(f64::MIN_POSITIVE)).max(1.0).sqrt()
 }
 
 /// Greatest distance from a plane of a point in it, at a place of that spacing.

@@ -1,0 +1,76 @@
+//! The nearest neighbours that are left when some points are taken out.
+
+use super::index::Index;
+use super::rows::Neighbors;
+use rayon::prelude::*;
+
+/// The lists of [`all_nearest`](super::all_nearest) for the points that stay, from those for all points: a list of which every point stays
+/// is the same; others are searched for anew.
+///
+/// `all` are the lists of all points, of `k` neighbours each or as many as there are; `number` is `(N)` the new index of each point,
+/// `u32::MAX` if it does not stay, ascending; `positions` are those of the `(M)` points that stay.
+pub fn among(all: &Neighbors, k: usize, number: &[u32], positions: &[[f64; 3]]) -> Neighbors {
+    let k = k.min(positions.len().saturating_sub(1));
+    let stay: Vec<u32> =
+        number.iter().zip(0..).filter(|&(&new, _)| new != u32::MAX).map(|(_, old)| old).collect();
+    let mut indices = vec![0; positions.len() * k];
+    if k > 0 {
+        let index = Index::build(positions);
+        indices.par_chunks_mut(k).zip(&stay).with_min_len(1024).enumerate().for_each_init(
+            Vec::new,
+            |found, (new, (list, &old))| {
+                if kept(all.of(old as usize), number, list) {
+                    return;
+                }
+                index.nearest(positions[new], k + 1, found);
+                let others = found.iter().map(|f| f.index).filter(|&j| j as usize != new);
+                list.iter_mut().zip(others).for_each(|(place, j)| *place = j);
+            },
+        );
+    }
+    let offsets = (0..=positions.len() as u64).map(|i| i * k as u64).collect();
+    Neighbors { offsets, indices }
+}
+
+/// Fills `list` with the new numbers of `old`; whether all of them stay.
+fn kept(old: &[u32], number: &[u32], list: &mut [u32]) -> bool {
+    old.len() == list.len()
+        && list.iter_mut().zip(old).all(|(place, &j)| {
+            *place = number[j as usize];
+            *place != u32::MAX
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::among;
+    use crate::neighbors::all_nearest;
+    use crate::shapes::Rng;
+
+    #[test]
+    fn lists_among_the_points_that_stay_are_those_of_a_search() {
+        let mut rng = Rng::new(8);
+        // Coordinates of few values, so that many distances are equal.
+        let points: Vec<[f64; 3]> = (0..800)
+            .map(|k| [rng.below(9) as f64, rng.below(9) as f64, 0.001 * f64::from(k % 400)])
+            .collect();
+        for share in [0.02, 0.5, 0.99] {
+            let stays: Vec<bool> = points.iter().map(|_| rng.uniform() >= share).collect();
+            let mut next = 0;
+            let number: Vec<u32> = stays
+                .iter()
+                .map(|&s| {
+                    next += u32::from(s);
+                    if s { next - 1 } else { u32::MAX }
+                })
+                .collect();
+            let left: Vec<[f64; 3]> =
+                points.iter().zip(&stays).filter(|&(_, &s)| s).map(|(p, _)| *p).collect();
+            assert_eq!(
+                among(&all_nearest(&points, 12), 12, &number, &left),
+                all_nearest(&left, 12),
+                "{share}"
+            );
+        }
+    }
+}
