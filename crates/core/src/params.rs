@@ -160,6 +160,9 @@ sections! {
         planes: Planes = Planes::Count(10), "", 0.0..=0.0;
         /// Thickness of a slab; auto: `reach_spacings` to either side.
         thickness: Auto<f64> = Auto::Auto, "unit of the input", ABOVE_0;
+        /// Points that lie on no surface: leaves, stray returns and veils between surfaces. `leave-out`, as auto, has no contour follow
+        /// them; `keep` treats them as surface.
+        clutter: Clutter = Clutter::Auto, "", 0.0..=0.0;
         /// How far along the surface points are carried to the plane, from either side.
         reach_spacings: f64 = 1.5, "spacings", 0.5..=10.0;
         /// Whether points are carried to the plane along the surface, so that a slanted wall gives a thin band; else they are

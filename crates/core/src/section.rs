@@ -19,6 +19,8 @@ use crate::cloud::Cloud;
 use crate::error::Error;
 use crate::frame::{Frame, Localised};
 use crate::neighbors::Index;
+use crate::params::Clutter;
+use crate::surface::clutter;
 
 pub use crate::params::SectionParams;
 pub use crate::params::section::{Axis, Outline, Planes, Side};
@@ -35,8 +37,9 @@ use surface::tiles::Tiles;
 /// [`Error::Parameter`] for a value outside its range; those of [`Frame::localise`].
 pub fn section(cloud: &Cloud, params: &SectionParams) -> Result<Sections, Error> {
     params.check()?;
-    let local = Frame::localise(cloud)?.with_spacing()?;
-    Ok(sections(&local, &Index::build(&local.positions), params, &|_| ())?.0)
+    let (local, clutter) = on_surfaces(cloud, params)?;
+    let (sections, _) = sections(&local, &Index::build(&local.positions), params, &|_| ())?;
+    Ok(Sections { clutter, ..sections })
 }
 
 /// [`section`] and, with [`SectionParams::fit`], the [`stack`] of the sections; else an empty stack. The share of
@@ -50,12 +53,26 @@ pub fn section_observed(
     observe: &(dyn Fn(f64) + Sync),
 ) -> Result<(Sections, Stack), Error> {
     params.check()?;
-    let local = Frame::localise(cloud)?.with_spacing()?;
+    let (local, clutter) = on_surfaces(cloud, params)?;
     let index = Index::build(&local.positions);
     let (sections, tiles) = sections(&local, &index, params, observe)?;
     let stack =
         if params.fit { stack::of(&local, &index, &tiles, &sections, params) } else { Stack::default() };
-    Ok((sections, stack))
+    Ok((Sections { clutter, ..sections }, stack))
+}
+
+/// The points of a cloud that lie on surfaces, localised, and the number of those that do not.
+fn on_surfaces(cloud: &Cloud, params: &SectionParams) -> Result<(Localised, usize), Error> {
+    let mut local = Frame::localise(cloud)?.with_spacing()?;
+    let clutter = match params.clutter {
+        Clutter::Keep => Vec::new(),
+        Clutter::Auto | Clutter::LeaveOut => clutter(&local.positions),
+    };
+    let mut on_surface = clutter.iter().map(|c| !c);
+    local.positions.retain(|_| on_surface.next().unwrap_or(true));
+    let mut on_surface = clutter.iter().map(|c| !c);
+    local.source.retain(|_| on_surface.next().unwrap_or(true));
+    Ok((local, clutter.iter().filter(|&&c| c).count()))
 }
 
 fn sections(

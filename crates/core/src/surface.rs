@@ -12,7 +12,8 @@ mod thin;
 pub use findings::Findings;
 pub use scales::{Scales, evened, spacings};
 
-use crate::neighbors::Neighbors;
+use crate::neighbors::{Neighbors, all_nearest, riemannian};
+use crate::params::NeighborParams;
 use crate::resolution::Resolution;
 
 /// Fewest points of a cloud in which surface and clutter can be told apart.
@@ -65,6 +66,13 @@ pub fn sort(points: &[[f64; 3]], nearest: &Neighbors, mean: Resolution) -> Sorte
         stands.clear();
     }
     Sorted { stands, findings }
+}
+
+/// `(N)` whether each point lies on no surface; empty if all do, or none does. `points` are distinct, in canonical order.
+pub fn clutter(points: &[[f64; 3]]) -> Vec<bool> {
+    let nearest = all_nearest(points, NeighborParams::default().k);
+    let mean = Resolution::estimate(points, &nearest, &riemannian::graph(points, &nearest));
+    sort(points, &nearest, mean).stands.iter().map(|&s| s == CLUTTER).collect()
 }
 
 /// Marks clutter. Points represented by a point of clutter represent themselves again.

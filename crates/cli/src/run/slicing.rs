@@ -40,7 +40,11 @@ pub fn row(input: &Input, sections: &Sections, start: Instant) -> Vec<String> {
 pub fn said(running: &Running, input: &Input, sections: &Sections, stack: &Stack) -> Vec<String> {
     let points = summary::read(input, [input.cloud.len(), sections.dropped, sections.merged]);
     let spacing = summary::figure(sections.spacing);
-    let mut lines = vec![points, format!("spacing {spacing}, noise {:.2} spacings", sections.noise)];
+    let mut lines = vec![points];
+    if sections.clutter > 0 {
+        lines.push(format!("not used: {} on no surface", summary::grouped(sections.clutter)));
+    }
+    lines.push(format!("spacing {spacing}, noise {:.2} spacings", sections.noise));
     lines.extend(summary::warnings(input));
     let slices = summary::plural(sections.sections.len(), "slice");
     let contours = summary::plural(sections.contours().count(), "contour");

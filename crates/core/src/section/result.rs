@@ -23,6 +23,8 @@ pub struct Sections {
     pub dropped: usize,
     /// Points that repeat another one exactly, which are left out.
     pub merged: usize,
+    /// Points on no surface, which are left out.
+    pub clutter: usize,
     /// One for each plane, in that order.
     pub sections: Vec<Section>,
 }

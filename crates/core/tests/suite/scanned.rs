@@ -1,6 +1,7 @@
 //! Clouds as scanners deliver them: clutter, steps of density, rows, noise beyond the spacing.
 
 use crate::common;
+use lineament::section::{Planes, SectionParams, section};
 use lineament::shapes::Rng;
 use lineament::{Class, Cloud, Error, Extraction, NodeKind, Params, StripKind, extract};
 
@@ -104,4 +105,21 @@ fn a_form_as_printed_uses_every_point() {
     let mut params = Params::default();
     params.set("penalty.form", "paper").unwrap();
     assert_eq!(extract(&Cloud::new(points.clone()), &params).unwrap().report.points, points.len());
+}
+
+#[test]
+fn sections_follow_no_stray_points() {
+    let mut rng = Rng::new(3);
+    let tube = |k: i32, rng: &mut Rng| {
+        let angle = std::f64::consts::TAU * (f64::from(k % 60) + 0.5 * rng.uniform()) / 60.0;
+        [10.0 * angle.cos(), 10.0 * angle.sin(), f64::from(k / 60) + 0.5 * rng.uniform()]
+    };
+    let mut points: Vec<[f64; 3]> = (0..60 * 30).map(|k| tube(k, &mut rng)).collect();
+    points.extend((0..60).map(|_| [0; 3].map(|_: i32| 50.0 * rng.uniform() - 15.0)));
+    let params = SectionParams { planes: Planes::Count(5), ..SectionParams::default() };
+    let sections = section(&Cloud::new(points), &params).unwrap();
+    assert!(sections.clutter >= 50, "{}", sections.clutter);
+    for cut in &sections.sections {
+        assert!(cut.contours.len() == 1 && cut.contours[0].closed, "at {}", cut.height);
+    }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use lineament::Cloud;
-use lineament::params::Auto;
+use lineament::params::{Auto, Clutter};
 use lineament::section::{
     Contour, Missing, Outline, Planes, SectionParams, Sections, Side, section, section_observed,
 };
@@ -18,8 +18,17 @@ fn all_ways(positions: &[[f64; 3]], height: f64) -> Vec<Sections> {
         for side in [Side::Middle, Side::Outside, Side::Inside] {
             for carry in [true, false] {
                 let planes = Planes::At(vec![height]);
-                let params =
-                    SectionParams { outline, side, carry, planes, fit: true, ..SectionParams::default() };
+                // The lone points are what is tried.
+                let clutter = Clutter::Keep;
+                let params = SectionParams {
+                    outline,
+                    side,
+                    carry,
+                    planes,
+                    clutter,
+                    fit: true,
+                    ..SectionParams::default()
+                };
                 let (sections, _) = section_observed(&cloud, &params, &|_| ()).unwrap();
                 valid(&sections);
                 found.push(sections);

@@ -222,6 +222,7 @@ impl<'a> Slicer<'a> {
             noise: self.texture.noise,
             dropped: self.local.dropped,
             merged: self.local.merged(),
+            clutter: 0,
             sections,
         }
     }
