@@ -31,8 +31,8 @@ impl Code {
     }
 }
 
-/// Writes lines to standard error. Where it is closed, full, or a pipe that nobody reads, they are lost, and the work goes on.
-/// Names come from files: of what is in them nothing can steer a terminal.
+/// Writes lines to standard error. If it is closed, full, or a pipe without a reader, the lines are lost and the work goes on.
+/// Names may come from files, so control characters in them are made harmless for terminals.
 pub fn say(text: &str) {
     let _ = std::io::stderr().lock().write_all(format!("{}\n", shown(text)).as_bytes());
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 use thiserror::Error;
 
-/// Where in an input something stands.
+/// A place in an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// Bytes from the start of the input, the first being 0.
@@ -103,13 +103,13 @@ pub enum Error {
     EndsEarly {
         /// The input.
         name: String,
-        /// Where it ends.
+        /// The place where it ends.
         place: Place,
         /// The items counted: `points`, `rows of element face`, ...
         unit: String,
-        /// How many the header announces.
+        /// The number that the header announces.
         expected: u64,
-        /// How many are whole.
+        /// The number of whole items.
         read: u64,
     },
     /// The extension of an output names no format.

@@ -143,7 +143,7 @@ impl Output {
 /// Links that are followed one after the other.
 const LINKS: usize = 40;
 
-/// Where a path leads, over links whose end need not be there.
+/// The target of a path through symbolic links, which need not exist.
 fn followed(path: &Path) -> PathBuf {
     let mut at = path.to_path_buf();
     for _ in 0..LINKS {

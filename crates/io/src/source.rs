@@ -85,7 +85,7 @@ impl Source {
         self
     }
 
-    /// Where the input is, if it is a file.
+    /// The path of the input, if it is a file.
     pub fn path(&self) -> Option<&Path> {
         self.path.as_deref()
     }
@@ -212,8 +212,8 @@ impl Source {
         Ok(Some(line.strip_suffix(b"\r").unwrap_or(line)))
     }
 
-    /// What is to be said of a last line without an end, where the input announces its rows and has as many: a cut within the
-    /// last number cannot be told from it.
+    /// A warning if the last line has no end though the input has as many rows as it announces: the file may have been cut within
+    /// the last number.
     pub fn open_end(&self) -> Option<String> {
         let text = "the last line has no end: if the file was cut there, its last number is not whole";
         self.open.then(|| text.into())

@@ -27,7 +27,7 @@ struct Array {
     begins: u64,
 }
 
-/// Where coordinates are: three columns of arrays, by array and column.
+/// The places of the coordinates: three columns of arrays, by array and column.
 type Axes = [(usize, usize); 3];
 
 /// Reads an NPZ input.

@@ -15,7 +15,7 @@ const CHUNK: usize = 1 << 17;
 /// Bytes of rows from which on more are decoded at a time, so that threads can share them.
 const MANY: u64 = 1 << 24;
 
-/// Where a number lies in a row.
+/// The place of a number in a row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Field {
     pub offset: usize,
@@ -50,7 +50,7 @@ pub(crate) struct Table {
     pub axes: [usize; 3],
     /// Field index and column of every attribute.
     pub columns: Vec<(usize, Attribute)>,
-    /// Where coordinates stand on a grid: then they are the first fields of a row.
+    /// The grid of the coordinates, if they are on one; they are then the first fields of a row.
     pub grid: Option<Grid>,
 }
 

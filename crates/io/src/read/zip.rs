@@ -65,7 +65,7 @@ pub(crate) fn entries(source: &Source, archive: &Shared) -> Result<Vec<Entry>, E
     Ok(entries)
 }
 
-/// Where the central directory is, and its bytes.
+/// The offset of the central directory, and its length in bytes.
 fn directory(source: &Source, archive: &Shared) -> Result<(u64, u64), Error> {
     let length = archive.length();
     let tail_at = length.saturating_sub(END_BYTES + COMMENT);
@@ -137,7 +137,7 @@ pub(crate) fn apart(source: &Source, archive: &Shared, entries: &[Entry]) -> Res
     }
 }
 
-/// Where the bytes of an entry begin, all of which are there.
+/// The offset of the bytes of an entry, which are checked to be there.
 fn start(source: &Source, archive: &Shared, entry: &Entry) -> Result<u64, Error> {
     let outside = || damaged(source, entry.at, format!("entry `{}` of {} bytes", entry.name, entry.packed));
     let head = archive.at(entry.at, HEAD as usize).map_err(|_| outside())?;
@@ -172,7 +172,7 @@ struct Checked {
     packed: Take<Box<dyn Read + Send>>,
     sum: crc32fast::Hasher,
     stated: u32,
-    /// Where the entry begins in the archive.
+    /// The offset of the entry in the archive.
     at: u64,
 }
 

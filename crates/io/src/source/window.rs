@@ -4,7 +4,7 @@ use super::Input;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Bytes that are asked of the system at once. What is read in small pieces here and there costs a block a piece.
+/// Bytes that are requested from the system at once. Each small read at another place costs one such block.
 const BLOCK: usize = 1 << 16;
 
 /// The whole of an input; clones read the same bytes.

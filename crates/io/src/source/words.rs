@@ -7,7 +7,7 @@ use crate::number::{is_blank, shown};
 /// No number is longer.
 const LONGEST: usize = 1 << 12;
 
-/// What comes next of a text.
+/// The next item of a text.
 pub(crate) enum Word {
     Text(Vec<u8>),
     /// The end of a line that holds words.

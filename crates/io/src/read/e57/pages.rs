@@ -1,5 +1,4 @@
-//! The pages of an E57 file, each with its checksum behind it (ASTM E2807, section 9.2): what lies in them as one stream of
-//! bytes.
+//! The pages of an E57 file, each followed by its checksum (ASTM E2807, section 9.2), read as one stream of bytes.
 
 use crate::source::Shared;
 use std::io;
@@ -25,7 +24,7 @@ pub(super) struct Pages {
 }
 
 impl Pages {
-    /// `None` if the size of a page is none.
+    /// The pages of an input; `None` if no page can have this size.
     pub fn new(shared: &Shared, size: u64) -> Option<Self> {
         let sound = size > CHECKSUM as u64 && size <= MOST && shared.length().is_multiple_of(size);
         let empty = Self { shared: shared.clone(), size: 0, bytes: Vec::new(), first: 0, at: 0, taken: 0 };

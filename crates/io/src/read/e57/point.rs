@@ -69,7 +69,7 @@ impl Fields {
         all.chain(self.intensity.state).any(|read| read == field)
     }
 
-    /// Reads the next rows, of which the streams must hold as many. The error says what no point can be.
+    /// Reads the next `rows` rows, which the streams must hold. The error names a value that no point can have.
     pub fn decode(&mut self, packets: &mut Packets, rows: usize) -> Result<(), String> {
         for (field, values) in self.values.iter_mut().enumerate() {
             if self.kept[field] {

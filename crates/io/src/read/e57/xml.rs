@@ -1,5 +1,5 @@
-//! What the XML of an E57 file may ask of its parser: the nodes it makes in memory, the attributes and the names it
-//! compares pairwise. All is counted before it is parsed.
+//! Limits of the XML of an E57 file: the nodes that the parser makes in memory, and the attributes and names that it compares
+//! pairwise, are counted before it is parsed.
 
 use memchr::memmem;
 

@@ -107,7 +107,7 @@ fn vlr_compressor(vlr: &LazVlr) -> Vec<u8> {
     bytes
 }
 
-/// Where the chunk table is: before the points, or at the end where the writer could not go back.
+/// The offset of the chunk table: before the points, or at the end if the writer could not seek back.
 fn table_offset(source: &Source, input: &Shared, header: &Header, length: u64) -> Result<u64, Error> {
     if length < header.points_at + 8 {
         return Err(source.ends_early("points", header.points, 0));

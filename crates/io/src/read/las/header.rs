@@ -11,7 +11,7 @@ pub(super) struct Header {
     pub header_size: u64,
     pub points_at: u64,
     pub records: u32,
-    /// Where extended records begin, behind the points, and how many there are.
+    /// The offset of extended records, after the points, and their number.
     pub extended: (u64, u32),
     /// Point data record format, 0 to 10.
     pub format: u8,

@@ -1,4 +1,4 @@
-//! What the header of a page says.
+//! The header of a Parquet page.
 
 /// Sizes and counts as claimed.
 #[derive(Default)]

@@ -1,5 +1,5 @@
-//! The pages of a Parquet column, walked over before the decoder sees them: it takes memory for what their headers
-//! claim, and time for what they unpack to.
+//! The pages of a Parquet column, checked before the decoder sees them, as it takes memory by the claims of their headers and
+//! time by their unpacked size.
 
 use super::page::Page;
 use super::thrift::Thrift;
@@ -20,7 +20,7 @@ const PAGE: u64 = 1 << 10;
 /// The least bytes of a value in a dictionary of numbers.
 const LEAST_VALUE: i64 = 4;
 
-/// What pages may unpack to: each in memory, and all together, since row groups may share their pages.
+/// Limits of the unpacked size of pages: of each in memory, and of all together, since row groups may share their pages.
 pub(super) struct Room {
     pub memory: u64,
     pub total: u64,
@@ -37,7 +37,7 @@ impl Room {
     }
 }
 
-/// Checks every page of a column against the bytes that are there, and what it unpacks to against the `room`.
+/// Checks every page of a column against the bytes that are there, and its unpacked size against the `room`.
 pub(super) fn check(
     source: &Source,
     options: &ReadOptions,

@@ -10,7 +10,7 @@ pub(super) fn is_structure(bytes: &[u8]) -> bool {
     Thrift(bytes).structure(0, 0, &mut |_, _, _| {}).is_some()
 }
 
-/// What is left of a structure.
+/// The remaining bytes of a structure.
 pub(super) struct Thrift<'a>(pub &'a [u8]);
 
 impl Thrift<'_> {

@@ -17,8 +17,8 @@ const STRUCT: u8 = 12;
 /// Bytes that a name takes beside its own.
 const TEXT: u64 = 48;
 
-/// Bytes that the paths of all columns take, by the metadata, which must be a whole structure. The error says why the schema
-/// is none.
+/// The number of bytes that the paths of all columns take, from the metadata, which must be a whole structure. The error says why
+/// the schema is not valid.
 pub(super) fn paths(metadata: &[u8]) -> Result<u64, String> {
     let (mut thrift, mut id, mut bytes) = (Thrift(metadata), 0, 0u64);
     let damaged = || String::from("a schema that is no tree");

@@ -4,7 +4,7 @@
 use crate::error::Error;
 use crate::source::Source;
 
-/// How far back a copy can reach.
+/// Greatest distance from which a copy is taken.
 const WINDOW: usize = 1 << 13;
 
 /// An unpacker that takes its bytes from a source.

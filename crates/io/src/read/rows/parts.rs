@@ -35,7 +35,7 @@ impl Part<'_> {
         }
     }
 
-    /// How many of its points lie outside the bounds that the header states.
+    /// The number of its points outside the bounds that the header states.
     pub fn outside(&self) -> usize {
         self.grid.outside
     }

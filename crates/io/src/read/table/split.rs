@@ -55,7 +55,7 @@ fn end_of_field(line: &[u8], separator: u8) -> usize {
     line[from..].iter().position(|&b| b == separator).map_or(line.len(), |at| from + at)
 }
 
-/// Behind the quotes that open at `start`; two within them stand for one. Where they do not close, `start`.
+/// The position after the quotes that open at `start`; two quotes within them represent one. `start` if they do not close.
 fn end_of_quotes(line: &[u8], start: usize) -> usize {
     let mut at = start + 1;
     while let Some(next) = line[at..].iter().position(|&b| b == b'"') {

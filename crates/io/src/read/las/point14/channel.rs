@@ -8,7 +8,7 @@ use laz::decompressors::{IntegerDecompressor, IntegerDecompressorBuilder};
 use laz::models::{ArithmeticModel, ArithmeticModelBuilder};
 use std::io::Result;
 
-/// Which of six kinds a pulse with `n` returns (row) is at return `r` (column).
+/// The kind, of six, of return `r` (column) of a pulse with `n` returns (row).
 const KINDS: [&[u8; 16]; 16] = [
     b"0123453445555555",
     b"1013333333333333",
