@@ -94,3 +94,19 @@ pub(super) fn spread(spacing: &[f32], clutter: &[bool]) -> [f64; 2] {
         _ => f64::from(*some.select_nth_unstable_by((share * last) as usize, f32::total_cmp).1),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Findings;
+
+    #[test]
+    fn rows_too_far_apart_are_told_with_the_voxel_that_helps_in_the_unit_of_the_input() {
+        let rows = Findings { in_rows: 50, row_ratio: 12.0, row_distance: 0.5, ..Findings::default() };
+        let notes = rows.scaled(4.0).notes(100);
+        assert!(notes.len() == 1 && notes[0].contains("50 %") && notes[0].contains("12:1"), "{notes:?}");
+        assert!(notes[0].contains("--voxel 1.000"), "{notes:?}");
+        let near = Findings { row_ratio: 6.0, ..rows };
+        assert!(!near.notes(100)[0].contains("--voxel"), "{:?}", near.notes(100));
+        assert!(rows.notes(10_000).is_empty());
+    }
+}

@@ -6,11 +6,11 @@ use crate::math::vec3::distance2;
 use crate::neighbors::Neighbors;
 use rayon::prelude::*;
 
-/// `(N)` whether each point lies in a piece of fewer than 24 points. Points that are `out` belong to no piece; two others to the same if one
-/// lists the other, within the lesser of their reaches.
+/// `(N)` whether each point lies in a piece of fewer than 24 points. Points that are `out` belong to no piece; two others belong
+/// to the same piece if one lists the other and they lie within the lesser of their reaches.
 pub(super) fn islands(points: &[[f64; 3]], nearest: &Neighbors, reach: &[f32], out: &[bool]) -> Vec<bool> {
     let links = Links { points, nearest, reach, out };
-    // Nearly every point reaches enough others within two or three steps; only those that do not need the whole of their piece.
+    // Nearly every point reaches enough others within two or three steps; for the few others the whole piece is counted.
     let doubtful: Vec<bool> = (0..points.len())
         .into_par_iter()
         .with_min_len(1024)
@@ -20,7 +20,7 @@ pub(super) fn islands(points: &[[f64; 3]], nearest: &Neighbors, reach: &[f32], o
         return doubtful;
     }
     let mut sets = UnionFind::new(points.len());
-    let mut joined: Vec<(u32, u32)> = (0..points.len())
+    let joined: Vec<(u32, u32)> = (0..points.len())
         .into_par_iter()
         .with_min_len(1024)
         .filter(|&i| !out[i])
@@ -32,9 +32,9 @@ pub(super) fn islands(points: &[[f64; 3]], nearest: &Neighbors, reach: &[f32], o
                 .collect::<Vec<_>>()
         })
         .collect();
-    joined.drain(..).for_each(|(i, j)| {
+    for (i, j) in joined {
         sets.union(i, j);
-    });
+    }
     let (mut size, mut large) = (vec![0_usize; points.len()], vec![false; points.len()]);
     for i in (0..points.len()).filter(|&i| !out[i]) {
         let piece = sets.find(i as u32) as usize;
