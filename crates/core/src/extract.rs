@@ -70,8 +70,7 @@ fn pipeline(
     let patches = method::wants_patches(params).then(|| {
         clock.run(Stage::Patches, || method::patches(&cloud, &measure, &mut pattern, &mut network, params))
     });
-    let class =
-        measure.class.clone().unwrap_or_else(|| classes(&cloud.positions, &network, cloud.resolution));
+    let class = measure.class.clone().unwrap_or_else(|| classes(&cloud.positions, &network, cloud.scales()));
     let mut report = cloud.report();
     report.stages = clock.stages;
     report.settings = method::settings(&cloud, params);

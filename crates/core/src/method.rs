@@ -56,7 +56,7 @@ pub(crate) fn patches(
     params: &Params,
 ) -> Patches {
     let Prepared { positions, graph, resolution, .. } = cloud;
-    let ground = Ground { points: positions, graph, normals: &measure.normal, resolution: *resolution };
+    let ground = Ground { points: positions, graph, normals: &measure.normal, scales: cloud.scales() };
     let first = patch::patches(&ground, network);
     let verified = params.method == Method::Segments && params.segments.form == SegmentForm::Robust;
     let fold_deg = params.penalty.fold_deg;

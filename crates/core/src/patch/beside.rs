@@ -9,13 +9,15 @@ use super::ground::Ground;
 use super::stations::{Station, Stations};
 use crate::math::vec3::{add_scaled, distance, dot, norm, sub};
 use crate::neighbors::Index;
+use crate::resolution::Resolution;
+use crate::surface::Scales;
 use rayon::prelude::*;
 
 /// Greatest distance of points beside a strip, spacings; or the length of the point's longest edge if that is more, so that no
 /// edge can cross a strip unnoticed.
 const BESIDE: f64 = 3.0;
 /// Distance from the strip up to which the side of a point is uncertain, spacings; plus twice the noise.
-pub const SEAM: f64 = 0.4;
+const SEAM: f64 = 0.4;
 /// Greatest distance of points beside a strip beyond its end, spacings: no edge may pass between two strips.
 const BEYOND: f64 = 1.0;
 /// Number of stations on either side of a station from which it takes points.
@@ -40,6 +42,8 @@ pub struct Entry {
     pub distance: f64,
     /// Whether no other strip is nearer.
     pub nearest: bool,
+    /// Whether the point lies so near to the strip that its side is uncertain.
+    pub seam: bool,
     /// 0 or 1: the half-line that is nearer, an index into the station's `leaves`.
     pub side: u8,
 }
@@ -49,8 +53,6 @@ pub struct Entry {
 pub struct Beside {
     first: Vec<u32>,
     entries: Vec<Entry>,
-    /// Distance up to which the side of a point is uncertain.
-    pub seam: f64,
 }
 
 impl Beside {
@@ -66,16 +68,14 @@ impl Beside {
 
     /// Whether the point lies on a strip rather than beside it.
     pub fn on_seam(&self, i: usize) -> bool {
-        self.of(i).iter().any(|e| e.distance < self.seam)
+        self.of(i).iter().any(|e| e.seam)
     }
 }
 
 /// Finds the points beside all strips and fills in the directions at the stations.
 pub fn beside(ground: &Ground, mut stations: Stations) -> (Stations, Beside) {
-    let spacing = ground.resolution.spacing;
     let places: Vec<[f64; 3]> = stations.all.iter().map(|s| s.position).collect();
     let index = Index::build(&places);
-    let reach = BESIDE * ground.resolution.unit();
     let lists: Vec<Vec<Entry>> = (0..ground.points.len())
         .into_par_iter()
         .with_min_len(1024)
@@ -85,22 +85,20 @@ pub fn beside(ground: &Ground, mut stations: Stations) -> (Stations, Beside) {
             }
             let p = ground.points[i];
             let edges = ground.graph.of(i).iter().map(|&j| distance(p, ground.points[j as usize]));
-            index.within(p, edges.fold(reach, f64::max), found);
+            index.within(p, edges.fold(BESIDE * ground.scales.unit(i as u32), f64::max), found);
             let mut near: Vec<(u32, f64, u32)> =
                 found.iter().map(|f| (stations.all[f.index as usize].strip, f.distance2, f.index)).collect();
             near.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
             near.dedup_by_key(|n| n.0);
-            entries(&stations.all, p, &near, BEYOND * spacing)
+            entries(&stations.all, p, &near, ground.scales.at(i))
         })
         .collect();
-    let mut beside = Beside { seam: SEAM * spacing + 2.0 * ground.resolution.noise, ..Default::default() };
-    beside.seam = beside.seam.min(spacing);
-    beside.first.push(0);
+    let mut beside = Beside { first: vec![0], ..Default::default() };
     for list in lists {
         beside.entries.extend(list);
         beside.first.push(beside.entries.len() as u32);
     }
-    directions(&mut stations, &beside, 0.5 * spacing);
+    directions(&mut stations, &beside, ground.scales);
     for entry in &mut beside.entries {
         entry.side = side(&stations.all[entry.station as usize], entry.offset);
     }
@@ -108,7 +106,9 @@ pub fn beside(ground: &Ground, mut stations: Stations) -> (Stations, Beside) {
 }
 
 /// The entries of a point, given the nearest station of each strip.
-fn entries(all: &[Station], p: [f64; 3], near: &[(u32, f64, u32)], beyond: f64) -> Vec<Entry> {
+fn entries(all: &[Station], p: [f64; 3], near: &[(u32, f64, u32)], scale: Resolution) -> Vec<Entry> {
+    let beyond = BEYOND * scale.spacing;
+    let seam = (SEAM * scale.spacing + 2.0 * scale.noise).min(scale.spacing);
     let mut entries: Vec<Entry> = near
         .iter()
         .filter_map(|&(strip, _, station)| {
@@ -123,19 +123,22 @@ fn entries(all: &[Station], p: [f64; 3], near: &[(u32, f64, u32)], beyond: f64) 
                 // Beyond an end the strip itself is farther away than its tangent.
                 distance: if along * at.end > 0.0 { norm(d) } else { norm(u) },
                 nearest: false,
+                seam: false,
                 side: 0,
             })
         })
         .collect();
     let least = entries.iter().map(|e| e.distance).fold(f64::INFINITY, f64::min);
-    entries.iter_mut().for_each(|e| e.nearest = e.distance == least);
+    entries.iter_mut().for_each(|e| (e.nearest, e.seam) = (e.distance == least, e.distance < seam));
     entries
 }
 
-/// Fills in `leaves` at all stations. Offsets shorter than `short` have less weight, as noise turns them.
-fn directions(stations: &mut Stations, beside: &Beside, short: f64) {
+/// Fills in `leaves` at all stations. Offsets shorter than half a spacing have less weight, as noise turns them.
+fn directions(stations: &mut Stations, beside: &Beside, scales: Scales) {
     let mut at: Vec<Vec<([f64; 2], f64)>> = vec![Vec::new(); stations.all.len()];
-    for entry in beside.entries.iter().filter(|e| e.nearest && e.distance > 0.0) {
+    let points = (0..beside.first.len() - 1).flat_map(|i| beside.of(i).iter().map(move |e| (i, e)));
+    for (i, entry) in points.filter(|(_, e)| e.nearest && e.distance > 0.0) {
+        let short = 0.5 * scales.at(i).spacing;
         let length = (entry.offset[0].powi(2) + entry.offset[1].powi(2)).sqrt();
         if length > 0.0 {
             let direction = entry.offset.map(|x| x / length);

@@ -31,8 +31,10 @@ pub fn fits(ground: &Ground, normals: &[[f64; 3]], members: &[Vec<u32>], beside:
 }
 
 fn fit(ground: &Ground, normals: &[[f64; 3]], patch: &[u32], beside: &Beside) -> Fit {
-    let spacing = ground.resolution.spacing;
-    let clear = |i: &u32| beside.of(*i as usize).iter().all(|e| e.distance >= CLEAR_OF_STRIPS * spacing);
+    let clear = |&i: &u32| {
+        let least = CLEAR_OF_STRIPS * ground.scales.at(i as usize).spacing;
+        beside.of(i as usize).iter().all(|e| e.distance >= least)
+    };
     let mut chosen: Vec<u32> = patch.iter().copied().filter(clear).collect();
     if chosen.len() < FEWEST_CLEAR {
         chosen = patch.to_vec();
@@ -41,6 +43,7 @@ fn fit(ground: &Ground, normals: &[[f64; 3]], patch: &[u32], beside: &Beside) ->
     let chosen: Vec<u32> = chosen.into_iter().step_by(step).collect();
     let points: Vec<[f64; 3]> = chosen.iter().map(|&i| ground.points[i as usize]).collect();
     let normals: Vec<[f64; 3]> = chosen.iter().map(|&i| normals[i as usize]).collect();
+    let spacing = ground.scales.mean_spacing(&chosen);
     let floor = FLOOR * spacing;
     let best = start::all(&points, &normals)
         .into_iter()
@@ -50,7 +53,7 @@ fn fit(ground: &Ground, normals: &[[f64; 3]], patch: &[u32], beside: &Beside) ->
     match best {
         Some((_, surface)) => {
             let residual = residual(&surface, &points);
-            let free = residual > FREE * spacing + 2.0 * ground.resolution.noise;
+            let free = residual > FREE * spacing + 2.0 * ground.scales.mean.noise;
             Fit { surface, residual, free }
         }
         None => Fit { surface: start::plane(&points), residual: 0.0, free: false },

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 /// Fewest points of a patch.
 const FEWEST_POINTS: u32 = 6;
-/// Distance from all strips above which a place is not narrow, spacings.
+/// Distance from all strips above which a place is not narrow, units of the place.
 const NOT_NARROW: f64 = 0.8;
 /// Regions join at a place if one of them is at most this many times as wide as the place.
 const WAIST: f64 = 2.0;
@@ -47,9 +47,8 @@ pub fn flood(ground: &Ground, beside: &Beside) -> Vec<u32> {
 /// two faces.
 fn joined(ground: &Ground, beside: &Beside, seam: &[bool]) -> UnionFind {
     let count = ground.points.len();
-    let wide = NOT_NARROW * ground.resolution.unit();
-    let clear: Vec<f64> =
-        (0..count).into_par_iter().map(|i| beside.clearance(i).min(WIDTH_CAP * wide)).collect();
+    let units = |i: usize| beside.clearance(i) / ground.scales.unit(i as u32);
+    let clear: Vec<f64> = (0..count).into_par_iter().map(|i| units(i).min(WIDTH_CAP * NOT_NARROW)).collect();
     let mut sets = UnionFind::new(count);
     let mut narrow = Vec::new();
     for i in (0..count).filter(|&i| !seam[i]) {
@@ -59,7 +58,7 @@ fn joined(ground: &Ground, beside: &Beside, seam: &[bool]) -> UnionFind {
                 continue;
             }
             match clear[i].min(clear[j as usize]) {
-                c if c >= wide => _ = sets.union(i as u32, j),
+                c if c >= NOT_NARROW => _ = sets.union(i as u32, j),
                 c => narrow.push((c, i as u32, j)),
             };
         }
@@ -85,7 +84,7 @@ fn joined(ground: &Ground, beside: &Beside, seam: &[bool]) -> UnionFind {
 fn through(ground: &Ground, i: usize, j: usize) -> bool {
     let way = sub(ground.points[j], ground.points[i]);
     let off = [i, j].map(|k| dot(ground.normals[k].map(f64::from), way).abs());
-    off[0].min(off[1]) - 3.0 * ground.resolution.noise > OFF_SURFACE * norm(way)
+    off[0].min(off[1]) - 3.0 * ground.scales.mean.noise > OFF_SURFACE * norm(way)
 }
 
 /// Whether two points lie on different sides of a strip.

@@ -1,7 +1,7 @@
 //! The ground: the cloud on which patches are found.
 
 use crate::neighbors::Neighbors;
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 
 /// The label of a point in no patch.
 pub const NO_PATCH: u32 = u32::MAX;
@@ -11,5 +11,5 @@ pub(crate) struct Ground<'a> {
     pub points: &'a [[f64; 3]],
     pub graph: &'a Neighbors,
     pub normals: &'a [[f32; 3]],
-    pub resolution: Resolution,
+    pub scales: Scales<'a>,
 }

@@ -127,7 +127,7 @@ pub type Side = (Option<u32>, [f64; 3]);
 pub fn sums(label: &[u32], normals: &[[f64; 3]], stations: &Stations, beside: &Beside) -> Vec<[Side; 2]> {
     let mut votes: Vec<[Vec<Vote>; 2]> = vec![Default::default(); stations.all.len()];
     for i in (0..label.len()).filter(|&i| label[i] != NO_PATCH) {
-        for entry in beside.of(i).iter().filter(|e| e.distance >= beside.seam) {
+        for entry in beside.of(i).iter().filter(|e| !e.seam) {
             // Normals close to a fold lean over it; points nearer to another strip count only where there are no others.
             let weight = entry.distance.powi(2) * if entry.nearest { 1.0 } else { 1e-6 };
             votes[entry.station as usize][usize::from(entry.side)].push((label[i], i as u32, weight));

@@ -5,9 +5,9 @@
 
 use crate::math::vec3::{add_scaled, cross, dot, norm, perpendicular, scale, sub, unit};
 use crate::network::{Network, Strip, StripKind};
-use crate::resolution::Resolution;
+use crate::surface::Scales;
 
-/// Greatest distance between stations, spacings.
+/// Greatest distance between stations, in spacings of the densest place that the strip runs through.
 const STATION_STEP: f64 = 0.6;
 /// Greatest number of stations for each source of a strip, beyond which they lie farther apart: in a cloud of two scales a strip
 /// can have any number of spacings. Links between points of one scale need less than half as many.
@@ -49,10 +49,10 @@ impl Stations {
 }
 
 /// Stations at the points of each strip, and between points that are far apart.
-pub fn stations(network: &Network, resolution: Resolution) -> Stations {
+pub fn stations(network: &Network, scales: Scales) -> Stations {
     let mut stations = Stations { first: vec![0], ..Default::default() };
     for (s, strip) in network.strips.iter().enumerate() {
-        append(&mut stations.all, s as u32, strip, STATION_STEP * resolution.spacing);
+        append(&mut stations.all, s as u32, strip, STATION_STEP * scales.finest(&strip.sources).spacing);
         stations.first.push(stations.all.len());
         stations.border.push(strip.kind == StripKind::Border);
     }

@@ -17,13 +17,6 @@ fn span(params: &SplineParams, resolution: Resolution) -> f64 {
     params.span_spacings.or(|| 3.0 + 6.0 * ratio.min(1.0)) * resolution.unit()
 }
 
-/// The resolution along a path: that of its densest place, so that no place is smoothed over.
-fn finest(lines: &LineGraph, path: &Path, scales: Scales) -> Resolution {
-    let at = |&v: &u32| scales.at(lines.points[v as usize] as usize);
-    let finer = |a: Resolution, b: Resolution| if b.spacing < a.spacing { b } else { a };
-    path.vertices.iter().map(at).reduce(finer).unwrap_or(scales.mean)
-}
-
 /// The strip along a path; `ends` are its nodes in the network.
 pub(super) fn strip(
     network: &Network,
@@ -34,7 +27,10 @@ pub(super) fn strip(
     scales: Scales,
     params: &SplineParams,
 ) -> Strip {
-    let resolution = finest(lines, path, scales);
+    let mut sources: Vec<u32> = path.vertices.iter().map(|&v| lines.points[v as usize]).collect();
+    sources.dedup();
+    // That of the densest place, so that none is smoothed over.
+    let resolution = scales.finest(&sources);
     let mut positions: Vec<[f64; 3]> = path.vertices.iter().map(|&v| lines.positions[v as usize]).collect();
     if let Some([start, end]) = ends {
         let last = positions.len() - 1;
@@ -45,8 +41,6 @@ pub(super) fn strip(
     let options = FitOptions { span, smoothing, closed: ends.is_none() };
     let (curve, parameters) = fit(&positions, options);
     let squares: f64 = positions.iter().zip(&parameters).map(|(&p, &t)| distance2(p, curve.point(t))).sum();
-    let mut sources: Vec<u32> = path.vertices.iter().map(|&v| lines.points[v as usize]).collect();
-    sources.dedup();
     Strip {
         kind,
         closed: ends.is_none(),

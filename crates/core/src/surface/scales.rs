@@ -52,6 +52,25 @@ impl<'a> Scales<'a> {
         self.at(i as usize).unit()
     }
 
+    /// The resolution at the densest of some points; the mean of none.
+    pub fn finest(&self, points: &[u32]) -> Resolution {
+        let finer = |a: Resolution, b: Resolution| if b.spacing < a.spacing { b } else { a };
+        points.iter().map(|&i| self.at(i as usize)).reduce(finer).unwrap_or(self.mean)
+    }
+
+    /// The greatest spacing at some points; the mean of the cloud for none.
+    pub fn widest(&self, points: &[u32]) -> f64 {
+        points.iter().map(|&i| self.at(i as usize).spacing).reduce(f64::max).unwrap_or(self.mean.spacing)
+    }
+
+    /// The mean of the spacings at some points.
+    pub fn mean_spacing(&self, points: &[u32]) -> f64 {
+        if self.spacing.is_empty() || points.is_empty() {
+            return self.mean.spacing;
+        }
+        points.iter().map(|&i| self.at(i as usize).spacing).sum::<f64>() / points.len() as f64
+    }
+
     /// The mean unit of two points.
     #[inline]
     pub fn between(&self, i: u32, j: u32) -> f64 {
