@@ -1,6 +1,7 @@
 //! The command line as typed, one file for each command. Checks that need more than the text come later.
 
 mod classify;
+mod clean;
 mod completions;
 mod extract;
 mod groups;
@@ -14,6 +15,7 @@ mod section;
 mod slices;
 
 pub use classify::Classify;
+pub use clean::Clean;
 pub use completions::Completions;
 pub use extract::Extract;
 pub use groups::{Reading, Running, Settings, Source, Tuning, Work};
@@ -66,6 +68,9 @@ pub enum Command {
     /// Classify each point: 0 smooth, 1 crease, 2 border, 3 corner, 4 clutter
     #[command(long_about = classify::ABOUT)]
     Classify(Classify),
+    /// Leave out the points that lie on no surface
+    #[command(long_about = clean::ABOUT)]
+    Clean(Clean),
     /// Divide a scan into its smooth patches and write their points, boundary loops and surfaces
     #[command(long_about = patches::ABOUT)]
     Patches(Patches),

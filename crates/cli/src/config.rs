@@ -64,7 +64,7 @@ fn set(params: &mut Params, key: &str, value: &str) -> Result<(), Failure> {
     let entries = params.entries();
     let meant = match entries.iter().find(|entry| entry.key == key) {
         None => near::nearest(key, entries.iter().map(|entry| entry.key.as_str())),
-        Some(entry) => near::nearest(value, entry.accepts.split([',', ' ']).filter(|word| !word.is_empty())),
+        Some(entry) => near::nearest(value, entry.names.iter().copied()),
     };
     let failure = Failure::from(error);
     Err(match meant {

@@ -1,6 +1,7 @@
 //! The commands.
 
 mod classify;
+mod clean;
 mod completions;
 mod context;
 mod extract;
@@ -22,6 +23,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
     match command {
         Command::Extract(args) => extract::run(&args),
         Command::Classify(args) => classify::run(&args),
+        Command::Clean(args) => clean::run(&args),
         Command::Patches(args) => patches::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Section(args) => section::run(&args),

@@ -51,6 +51,19 @@ impl Cloud {
     pub fn is_empty(&self) -> bool {
         self.positions.is_empty()
     }
+
+    /// The points of these indices with their attributes, in this order; indices beyond the last point are left out.
+    pub fn select(&self, indices: &[u32]) -> Cloud {
+        let attribute = |a: &Attribute| Attribute { name: a.name.clone(), values: a.values.select(indices) };
+        Cloud {
+            positions: selected(&self.positions, indices),
+            attributes: self.attributes.iter().map(attribute).collect(),
+        }
+    }
+}
+
+fn selected<T: Copy>(values: &[T], indices: &[u32]) -> Vec<T> {
+    indices.iter().filter_map(|&i| values.get(i as usize).copied()).collect()
 }
 
 impl From<Vec<[f64; 3]>> for Cloud {
@@ -73,6 +86,21 @@ impl Column {
             Column::U64(v) => v.len(),
             Column::F32(v) => v.len(),
             Column::F64(v) => v.len(),
+        }
+    }
+
+    fn select(&self, indices: &[u32]) -> Column {
+        match self {
+            Column::I8(v) => Column::I8(selected(v, indices)),
+            Column::U8(v) => Column::U8(selected(v, indices)),
+            Column::I16(v) => Column::I16(selected(v, indices)),
+            Column::U16(v) => Column::U16(selected(v, indices)),
+            Column::I32(v) => Column::I32(selected(v, indices)),
+            Column::U32(v) => Column::U32(selected(v, indices)),
+            Column::I64(v) => Column::I64(selected(v, indices)),
+            Column::U64(v) => Column::U64(selected(v, indices)),
+            Column::F32(v) => Column::F32(selected(v, indices)),
+            Column::F64(v) => Column::F64(selected(v, indices)),
         }
     }
 

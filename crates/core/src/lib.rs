@@ -28,7 +28,8 @@
 //! assert_eq!(smooth, 6 * 7 * 7);
 //! # Ok::<(), lineament::Error>(())
 //! ```
-//! [`detect::points::mark`] marks points by one measure alone, without lines.
+//! [`detect::points::mark`] marks points by one measure alone, without lines. [`clean()`] tells points on surfaces from leaves,
+//! stray returns and veils.
 //!
 //! # Patches
 //! ```
@@ -75,6 +76,7 @@
 pub mod apply;
 pub mod check;
 mod classify;
+mod clean;
 mod cloud;
 pub mod curve;
 pub mod detect;
@@ -100,6 +102,7 @@ pub mod section;
 pub mod shapes;
 pub mod surface;
 
+pub use clean::{Cleaned, clean};
 pub use cloud::{Attribute, Cloud, Column};
 pub use detect::segments::{Segmentation, Segmented};
 pub use error::Error;

@@ -89,6 +89,11 @@ impl Measure {
         if let Some((name, rows)) = columns.into_iter().find(|(_, rows)| *rows != count) {
             return Err(Error::Measure { fault: format!("`{name}` has {rows} rows for {count} points") });
         }
+        for (name, column) in [("density", &self.density), ("score", &self.score)] {
+            if let Some(i) = column.iter().position(|x| !x.is_finite()) {
+                return Err(Error::Measure { fault: format!("`{name}` of point {i} is not finite") });
+            }
+        }
         self.crease.check("crease", count)?;
         self.border.check("border", count)
     }
@@ -109,9 +114,21 @@ impl Penalties {
         if let Some(last) = self.points.last().filter(|&&last| last as usize >= count) {
             return fault(format!("candidate {last} of {count} points"));
         }
-        let odd = |i: &usize| !self.scalar[*i].is_finite() || !self.foot[*i].iter().all(|x| x.is_finite());
-        match (0..rows).find(odd) {
-            Some(i) => fault(format!("candidate {} has a value that is not finite", self.points[i])),
+        if !(0.0..=1.0).contains(&self.share) {
+            return fault(format!("a share of {}, which is not between 0 and 1", self.share));
+        }
+        let odd = |&i: &usize| {
+            let vector = self.vector[i].iter().chain([&self.corner[i]]).all(|x| x.is_finite());
+            !vector || !self.foot[i].iter().all(|x| x.is_finite())
+        };
+        if let Some(i) = (0..rows).find(odd) {
+            return fault(format!("candidate {} has a value that is not finite", self.points[i]));
+        }
+        match (0..rows).find(|&i| !(0.0..=1.0).contains(&self.scalar[i])) {
+            Some(i) => {
+                let (point, scalar) = (self.points[i], self.scalar[i]);
+                fault(format!("candidate {point} has a penalty of {scalar}, which is not between 0 and 1"))
+            }
             None => Ok(()),
         }
     }

@@ -2,12 +2,28 @@
 //! that stand for one, and how outputs name it.
 
 use crate::number::integer;
+use std::ops::RangeInclusive;
 
 /// Codes of the register; those beyond are of private use.
-const CODES: std::ops::RangeInclusive<u64> = 1024..=32766;
-/// Systems whose UTM zones have codes of their own: what their names begin with, the code of zone 0 north, and south.
-const UTM: [(&str, u64, Option<u64>); 3] =
-    [("wgs84", 32600, Some(32700)), ("etrs89", 25800, None), ("nad83", 26900, None)];
+const CODES: RangeInclusive<u64> = 1024..=32766;
+/// A geographic system whose UTM zones have consecutive codes.
+struct Zones {
+    /// The beginning of the names of its zones, in small letters and digits.
+    name: &'static str,
+    /// The code of the geographic system.
+    geographic: u64,
+    /// The zones, and the code of zone 0, in the north.
+    north: (RangeInclusive<u64>, u64),
+    /// And in the south.
+    south: Option<(RangeInclusive<u64>, u64)>,
+}
+
+/// All such systems. Other codes stand beside these series: NAD83 / Florida West is 26959, and zone 59 north of NAD83 is 3372.
+const UTM: [Zones; 3] = [
+    Zones { name: "wgs84", geographic: 4326, north: (1..=60, 32600), south: Some((1..=60, 32700)) },
+    Zones { name: "etrs89", geographic: 4258, north: (28..=38, 25800), south: None },
+    Zones { name: "nad83", geographic: 4269, north: (1..=23, 26900), south: None },
+];
 /// Elements of well-known text that are no system themselves but hold one first.
 const AROUND: [&str; 3] = ["BOUNDCRS", "SOURCECRS", "COMPD_CS"];
 
@@ -52,11 +68,19 @@ impl Crs {
 
 /// The UTM zone of a geographic system by its code: the zone as GeoTIFF numbers it (160zz north, 161zz south).
 pub(crate) fn zone(geographic: u64, projection: u64) -> Option<u64> {
-    let (_, north, south) = *UTM.get([4326, 4258, 4269].iter().position(|&code| code == geographic)?)?;
+    let system = UTM.iter().find(|system| system.geographic == geographic)?;
     match projection {
-        16001..=16060 => Some(north + projection - 16000),
-        16101..=16160 => Some(south? + projection - 16100),
+        16001..=16060 => system.code(projection - 16000, false),
+        16101..=16160 => system.code(projection - 16100, true),
         _ => None,
+    }
+}
+
+impl Zones {
+    /// The code of a zone, if it belongs to the series.
+    fn code(&self, zone: u64, south: bool) -> Option<u64> {
+        let (zones, zero) = if south { self.south.as_ref()? } else { &self.north };
+        zones.contains(&zone).then_some(zero + zone)
     }
 }
 
@@ -94,10 +118,9 @@ fn utm(name: &str) -> Option<u64> {
         .replacen("etrs1989", "etrs89", 1)
         .replacen("nad1983", "nad83", 1);
     let (start, zone) = plain.split_once("utmzone")?;
-    let (_, north, south) = UTM.into_iter().find(|(system, ..)| *system == start)?;
-    let first = if zone.ends_with('s') { south? } else { north };
-    let number = integer(zone.strip_suffix(['n', 's'])?.as_bytes()).filter(|zone| (1..=60).contains(zone))?;
-    Some(first + number)
+    let system = UTM.iter().find(|system| system.name == start)?;
+    let number = integer(zone.strip_suffix(['n', 's'])?.as_bytes())?;
+    system.code(number, zone.ends_with('s'))
 }
 
 /// An element of well-known text: `KEYWORD[...]`.
@@ -213,6 +236,16 @@ mod tests {
         }
         assert_eq!(zone(4258, 16032), Some(25832));
         assert_eq!(zone(4258, 16132), None);
+        for (name, keys) in [
+            ("NAD83 / UTM zone 59N", (4269, 16059)),
+            ("NAD83 / UTM zone 24N", (4269, 16024)),
+            ("ETRS89 / UTM zone 27N", (4258, 16027)),
+            ("ETRS89 / UTM zone 39N", (4258, 16039)),
+            ("WGS 84 / UTM zone 61N", (4326, 16061)),
+        ] {
+            assert_eq!((utm(name), zone(keys.0, keys.1)), (None, None), "{name}");
+        }
+        assert_eq!((utm("NAD83 / UTM zone 23N"), zone(4326, 16160)), (Some(26923), Some(32760)));
     }
 
     #[test]

@@ -6,8 +6,8 @@ pub fn nearest<'a>(wrong: &str, known: impl Iterator<Item = &'a str> + Clone) ->
     known.clone().find(ends).or_else(|| {
         let all = known.map(|name| (changes(&wrong.to_ascii_lowercase(), &name.to_ascii_lowercase()), name));
         let least = all.min_by_key(|&(changes, _)| changes)?;
-        // A third of the letters.
-        (3 * least.0 <= wrong.len().max(3)).then_some(least.1)
+        // A third of the letters, and one at least is right.
+        (3 * least.0 <= wrong.len().max(3) && least.0 < wrong.len()).then_some(least.1)
     })
 }
 
@@ -43,6 +43,7 @@ mod tests {
         assert_eq!(near("penalty.gama"), Some("penalty.gamma"));
         assert_eq!(near("spaning.rho"), Some("spanning.rho"));
         assert_eq!(near("colour"), None);
+        assert_eq!(nearest("q", ["x", "y"].into_iter()), None);
         assert_eq!(changes("penlaty", "penalty"), 1);
         assert_eq!(changes("", "abc"), 3);
     }

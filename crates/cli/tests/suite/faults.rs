@@ -126,6 +126,16 @@ fn a_wrong_name_is_answered_by_the_one_that_was_meant() {
         .expect(4)
         .says(&["did you mean `penalty.gamma`?"]);
     sandbox.run(&["extract", "part.xyz", "--method", "penlaty"]).expect(4).says(&["did you mean `penalty`?"]);
+    for (setting, said) in [
+        ("surface.clutter=kep", "did you mean `keep`?"),
+        ("surface.clutter=on", "expected one of"),
+        ("patches.find=tru", "did you mean `true`?"),
+        ("patches.find=on", "expected auto or true or false"),
+        ("neighbors.k=3", "expected a whole number from 4 to 64"),
+    ] {
+        let run = sandbox.run(&["extract", "part.xyz", "--set", setting]).expect(4).says(&[said]);
+        assert_eq!(run.stderr.contains("did you mean"), said.starts_with("did"), "{setting}: {}", run.stderr);
+    }
     sandbox.run(&["part.xyz"]).expect(2).says(&["`lineament extract part.xyz` finds its lines"]);
 }
 

@@ -98,6 +98,9 @@ impl ParamValue for Axis {
     fn accepts(_: &std::ops::RangeInclusive<f64>) -> String {
         "x, y, z, auto, long, thin or a vector X,Y,Z such as 1,0,1".into()
     }
+    fn names() -> Vec<&'static str> {
+        vec!["x", "y", "z", "auto", "long", "thin"]
+    }
     fn fault(&self) -> Option<&'static str> {
         match self {
             Axis::Coordinate(axis) if *axis > 2 => Some("0, 1 or 2"),
@@ -139,7 +142,7 @@ impl ParamValue for Planes {
         None
     }
     fn accepts(_: &std::ops::RangeInclusive<f64>) -> String {
-        "count:N, every:STEP, at:Z1,Z2,.. or adaptive:N,MOST".into()
+        "count:N, every:STEP, at:Z1,Z2,.. or adaptive:N,MOST, of at most 100000 slices".into()
     }
     fn fault(&self) -> Option<&'static str> {
         let count = |n: usize| match n {

@@ -13,6 +13,8 @@ pub struct Entry {
     pub unit: &'static str,
     /// The values accepted, in words.
     pub accepts: String,
+    /// The words accepted; none of numbers.
+    pub names: Vec<&'static str>,
     /// Its meaning.
     pub doc: &'static str,
 }
@@ -172,7 +174,8 @@ pub(super) fn entry<T: ParamValue>(
     range: &RangeInclusive<f64>,
     doc: &'static str,
 ) -> Entry {
-    Entry { key, value: value.show(), default: default.show(), unit, accepts: T::accepts(range), doc }
+    let (value, default) = (value.show(), default.show());
+    Entry { key, value, default, unit, accepts: T::accepts(range), names: T::names(), doc }
 }
 
 fn expect<T: ParamValue>(range: &RangeInclusive<f64>) -> String {

@@ -29,6 +29,10 @@ pub trait ParamValue: Sized {
     fn number(&self) -> Option<f64>;
     /// The values accepted, in words, given the numeric range.
     fn accepts(range: &std::ops::RangeInclusive<f64>) -> String;
+    /// The words accepted; none of numbers.
+    fn names() -> Vec<&'static str> {
+        Vec::new()
+    }
     /// For a value that is refused whatever the range: the values expected instead.
     fn fault(&self) -> Option<&'static str> {
         None
@@ -84,6 +88,9 @@ impl ParamValue for bool {
     fn accepts(_: &std::ops::RangeInclusive<f64>) -> String {
         "true or false".into()
     }
+    fn names() -> Vec<&'static str> {
+        vec!["true", "false"]
+    }
 }
 
 impl<T: ParamValue> ParamValue for Auto<T> {
@@ -104,6 +111,9 @@ impl<T: ParamValue> ParamValue for Auto<T> {
     }
     fn accepts(range: &std::ops::RangeInclusive<f64>) -> String {
         format!("auto or {}", T::accepts(range))
+    }
+    fn names() -> Vec<&'static str> {
+        [vec!["auto"], T::names()].concat()
     }
 }
 
@@ -127,6 +137,9 @@ macro_rules! choices {
             }
             fn accepts(_: &std::ops::RangeInclusive<f64>) -> String {
                 concat!("one of", $(" ", $name, $(" (", $alias, ")",)*)+).into()
+            }
+            fn names() -> Vec<&'static str> {
+                vec![$($name, $($alias,)*)+]
             }
         }
     };

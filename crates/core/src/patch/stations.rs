@@ -7,7 +7,7 @@ use crate::math::vec3::{add_scaled, cross, dot, norm, perpendicular, scale, sub,
 use crate::network::{Network, Strip, StripKind};
 use crate::surface::Scales;
 
-/// Greatest distance between stations, in spacings of the densest place that the strip runs through.
+/// Greatest distance between stations, in spacings at the densest place of the strip.
 const STATION_STEP: f64 = 0.6;
 /// Greatest number of stations for each source of a strip, beyond which they lie farther apart: in a cloud of two scales a strip
 /// can have any number of spacings. Links between points of one scale need less than half as many.

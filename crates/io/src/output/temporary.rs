@@ -1,10 +1,13 @@
 //! The files that outputs are written to before they are renamed: each is locked while it is written, so that those of
 //! processes that were killed are known by having no lock, and cleared.
 
+use std::collections::BTreeMap;
+use std::ffi::OsString;
 use std::fs::{File, Metadata};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 /// Ends the names of such files.
 const SUFFIX: &str = ".part";
@@ -26,12 +29,23 @@ pub(super) fn create(target: &Path, there: Option<&Metadata>) -> io::Result<(Pat
         if !same(&file, &path) {
             continue;
         }
-        if let Some(there) = there {
-            file.set_permissions(there.permissions())?;
+        match there.map_or(Ok(()), |there| permit(&file, there)) {
+            Ok(()) => return Ok((path, file)),
+            Err(error) => {
+                let _ = std::fs::remove_file(&path);
+                return Err(error);
+            }
         }
-        return Ok((path, file));
     }
     Err(io::Error::new(io::ErrorKind::AlreadyExists, "all names for a temporary file beside it are taken"))
+}
+
+/// Gives a file the permissions of another. File systems that have the same for all files refuse to set any.
+fn permit(file: &File, there: &Metadata) -> io::Result<()> {
+    if file.metadata()?.permissions() == there.permissions() {
+        return Ok(());
+    }
+    file.set_permissions(there.permissions())
 }
 
 /// A name in the folder of `target`.
@@ -53,22 +67,36 @@ fn prefix(target: &Path) -> std::ffi::OsString {
 
 /// Removes the temporary files of `target` that nobody holds. What cannot be removed stays.
 fn clear(target: &Path) {
+    // A folder is listed once by a process: it may hold many files, and get many outputs.
+    static LISTED: Mutex<BTreeMap<PathBuf, Vec<OsString>>> = Mutex::new(BTreeMap::new());
+    let folder = super::folder(target);
+    let mut listed = LISTED.lock().unwrap_or_else(PoisonError::into_inner);
+    let leftovers = listed.entry(folder.into()).or_insert_with(|| leftovers(folder));
     let prefix = prefix(target);
-    let Ok(entries) = std::fs::read_dir(super::folder(target)) else { return };
-    for entry in entries.flatten() {
-        let name = entry.file_name();
-        let rest = name.as_encoded_bytes().strip_prefix(prefix.as_encoded_bytes());
-        if !rest.and_then(|rest| rest.strip_suffix(SUFFIX.as_bytes())).is_some_and(is_numbered) {
-            continue;
+    leftovers.retain(|name| {
+        let own = name.as_encoded_bytes().strip_prefix(prefix.as_encoded_bytes());
+        let own = own.and_then(|rest| rest.strip_suffix(SUFFIX.as_bytes())).is_some_and(is_numbered);
+        if own {
+            remove(&folder.join(name));
         }
-        // Opening a pipe would wait for its reader.
-        if !entry.file_type().is_ok_and(|kind| kind.is_file()) {
-            continue;
-        }
-        let Ok(file) = File::options().write(true).open(entry.path()) else { continue };
-        if file.try_lock().is_ok() && same(&file, &entry.path()) {
-            let _ = std::fs::remove_file(entry.path());
-        }
+        !own
+    });
+}
+
+/// The names of the temporary files in a folder.
+fn leftovers(folder: &Path) -> Vec<OsString> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    // Opening a pipe would wait for its reader.
+    let files = entries.filter(|entry| entry.file_type().is_ok_and(|kind| kind.is_file()));
+    let names = files.map(|entry| entry.file_name());
+    names.filter(|name| name.as_encoded_bytes().ends_with(SUFFIX.as_bytes())).collect()
+}
+
+/// Removes a file that nobody holds.
+fn remove(path: &Path) {
+    let Ok(file) = File::options().write(true).open(path) else { return };
+    if file.try_lock().is_ok() && same(&file, path) {
+        let _ = std::fs::remove_file(path);
     }
 }
 

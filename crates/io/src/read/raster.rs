@@ -7,6 +7,9 @@ use crate::error::Error;
 use crate::number::{integer, parse, shown, tokens};
 use crate::source::{Source, Word};
 
+/// The height of cells without one where the header gives none.
+const NO_DATA: f64 = -9999.0;
+
 /// What the header says.
 #[derive(Default)]
 struct Header {
@@ -25,6 +28,9 @@ pub(crate) fn begins(word: &[u8]) -> bool {
 
 /// Reads a grid.
 pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
+    if source.peek(3)?.starts_with(b"\xef\xbb\xbf") {
+        source.consume(3);
+    }
     source.detect_terminator()?;
     let Grid { columns, rows, first, cell, none } = header(source)?.grid(source)?;
     let count = columns.saturating_mul(rows);
@@ -46,7 +52,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         // Rows come from the north.
         let [x, y] = [done % columns, rows - 1 - done / columns].map(|index| index as f64);
         done += 1;
-        if none == Some(height) {
+        if none == height || none.is_nan() && height.is_nan() {
             empty += 1;
         } else {
             out.cloud.positions.push([first[0] + x * cell[0], first[1] + y * cell[1], height]);
@@ -70,13 +76,13 @@ struct Grid {
     /// The middle of the cell in the southwest, and the sides of a cell.
     first: [f64; 2],
     cell: [f64; 2],
-    none: Option<f64>,
+    none: f64,
 }
 
-/// The header: lines of a key and its value.
+/// The header: lines of a key and its value, up to the first height, which may be `nan`.
 fn header(source: &mut Source) -> Result<Header, Error> {
     let mut header = Header::default();
-    while source.peek(1 << 8)?.trim_ascii_start().first().is_some_and(u8::is_ascii_alphabetic) {
+    while begins_with_key(source.peek(1 << 8)?) {
         let Some(line) = source.line()? else { break };
         let line = line.to_vec();
         let words: Vec<&[u8]> = tokens(&line).take(3).collect();
@@ -93,6 +99,11 @@ fn header(source: &mut Source) -> Result<Header, Error> {
         }
     }
     Ok(header)
+}
+
+fn begins_with_key(text: &[u8]) -> bool {
+    let word = tokens(text.trim_ascii_start()).next().unwrap_or_default();
+    word.first().is_some_and(u8::is_ascii_alphabetic) && parse(word).is_none()
 }
 
 impl Header {
@@ -112,7 +123,7 @@ impl Header {
             cell[axis] = self.cell[axis].filter(|&size| size > 0.0).ok_or_else(|| lacks("cellsize"))?;
             first[axis] = corner + if middle { 0.0 } else { 0.5 * cell[axis] };
         }
-        Ok(Grid { columns, rows, first, cell, none: self.none })
+        Ok(Grid { columns, rows, first, cell, none: self.none.unwrap_or(NO_DATA) })
     }
 
     /// Takes a key; `None` if there is no such key, or its value is none.

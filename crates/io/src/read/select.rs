@@ -28,6 +28,7 @@ pub(super) fn select(
         return Ok(());
     }
     let mut kept: Vec<usize> = (0..cloud.len()).collect();
+    let passed = ignored.join(", ");
     let mut step = |kept: &mut Vec<usize>, next: Vec<usize>, what: &str| {
         if next.len() < kept.len() {
             ignored.push(format!("{} points {what}", kept.len() - next.len()));
@@ -41,8 +42,8 @@ pub(super) fn select(
     if let Some([low, high]) = options.bounds {
         let inside = |&i: &usize| (0..3).all(|a| (low[a]..=high[a]).contains(&cloud.positions[i][a]));
         let next: Vec<usize> = kept.iter().copied().filter(inside).collect();
-        if next.is_empty() && !cloud.is_empty() {
-            return Err(outside(name, cloud, [low, high]));
+        if next.is_empty() {
+            return Err(outside(name, cloud, [low, high], &passed));
         }
         step(&mut kept, next, "outside the bounds");
     }
@@ -107,8 +108,13 @@ fn column<'a>(
     Ok(move |index| get(&found.values, index))
 }
 
-/// The error for a box without points; it says where the points lie.
-fn outside(name: &str, cloud: &Cloud, [low, high]: [[f64; 3]; 2]) -> Error {
+/// The error for a box without points; it says where the points lie, or which of them the reader passed over.
+fn outside(name: &str, cloud: &Cloud, [low, high]: [[f64; 3]; 2], passed: &str) -> Error {
+    if cloud.is_empty() {
+        let what = format!("no point lies inside the bounds {low:?} to {high:?}");
+        let advice = if passed.is_empty() { "the file has no points" } else { passed };
+        return Error::Unsupported { name: name.into(), what, advice: advice.into() };
+    }
     let axis = |pick: fn(f64, f64) -> f64, a: usize| {
         let finite = cloud.positions.iter().map(|p| p[a]).filter(|c| c.is_finite());
         finite.reduce(pick).unwrap_or(f64::NAN)

@@ -38,7 +38,7 @@ pub fn write_points(path: &Path, inputs: &[PathBuf], table: &PointTable) -> Resu
 /// Those of the stream.
 pub fn write_points_to(out: &mut dyn Write, format: PointFormat, table: &PointTable) -> io::Result<()> {
     match format {
-        PointFormat::Npy => npy::write_classes(out, table.classes),
+        PointFormat::Npy => npy::write(out, table),
         PointFormat::Npz => npz::write(out, table),
         PointFormat::Parquet => parquet::write(out, table),
         PointFormat::Ply => ply::write(out, table),

@@ -153,13 +153,15 @@ impl Node {
 }
 
 impl Bounds {
+    const EMPTY: Bounds = Bounds { min: [f64::INFINITY; 2], max: [f64::NEG_INFINITY; 2] };
+
     fn of(points: &[[f64; 2]]) -> Self {
         let all = points.iter().map(|&p| Bounds { min: p, max: p });
-        all.reduce(Bounds::join).expect("a chunk is not empty")
+        all.fold(Bounds::EMPTY, Bounds::join)
     }
 
     fn union(bounds: &[Bounds]) -> Self {
-        bounds.iter().copied().reduce(Bounds::join).expect("a chunk is not empty")
+        bounds.iter().copied().fold(Bounds::EMPTY, Bounds::join)
     }
 
     fn join(self, other: Bounds) -> Bounds {

@@ -117,7 +117,10 @@ impl LasFrame {
     }
 
     fn system(&self) -> Crs {
-        self.wkt().map(|wkt| Crs::parse(&wkt)).unwrap_or_else(|| geo::system(self))
+        let Some(wkt) = self.wkt() else { return geo::system(self) };
+        let crs = Crs::parse(&wkt);
+        // Text without a code, as ESRI writes it, does not outweigh keys that have one.
+        Crs { code: crs.code.or_else(|| geo::system(self).code), ..crs }
     }
 
     /// The definition of the coordinate reference system in well-known text.

@@ -5,7 +5,7 @@ use super::table::PointTable;
 /// All columns have one value for each point.
 pub(in crate::write) fn check(table: &PointTable) -> Result<(), String> {
     let count = table.cloud.len();
-    if table.classes.len() != count {
+    if !table.classes.is_empty() && table.classes.len() != count {
         return Err(format!("{} classes for {count} points", table.classes.len()));
     }
     if !table.scores.is_empty() && table.scores.len() != count {

@@ -106,7 +106,10 @@ fn plan<'a>(table: &PointTable<'a>) -> io::Result<Plan<'a>> {
     let (standard, all) =
         standard(format).ok_or_else(|| io::Error::other(format!("LAS has no point format {format}")))?;
     let mut dimensions: Vec<(Dimension, &Column)> = Vec::new();
-    let mut extras = vec![Extra { name: "class".into(), kind: Scalar::U8, column: Source::Class }];
+    let mut extras = Vec::new();
+    if table.classified() {
+        extras.push(Extra { name: "class".into(), kind: Scalar::U8, column: Source::Class });
+    }
     if !table.scores.is_empty() {
         extras.push(Extra { name: "score".into(), kind: Scalar::F32, column: Source::Score });
     }

@@ -1,14 +1,11 @@
 //! Classified points as NPZ: `xyz` of (N, 3) f8, `class`, `score`, and an array for every attribute of the input.
 
-use super::npy;
+use super::npy::{self, blocks};
 use super::rows::names;
 use super::table::PointTable;
-use crate::columns::{Number, Scalar, each_column};
+use crate::columns::{Scalar, each_column};
 use crate::write::encode::zip::ZipWriter;
 use std::io::{self, Write};
-
-/// Numbers whose bytes are gathered before they go out.
-const BLOCK: usize = 1 << 14;
 
 /// Writes an archive of arrays that are stored as they are, so that NumPy can map them.
 pub(super) fn write(out: &mut dyn Write, table: &PointTable) -> io::Result<()> {
@@ -24,7 +21,7 @@ pub(super) fn write(out: &mut dyn Write, table: &PointTable) -> io::Result<()> {
         archive.add(&format!("{}.npy", name.replace('/', "_")), &|out| {
             out.write_all(&npy::header(descr(*kind), &format!("{count},")))?;
             match index.checked_sub(own) {
-                None if index == 0 => out.write_all(table.classes),
+                None if index == 0 && table.classified() => out.write_all(table.classes),
                 None => blocks(out, table.scores),
                 Some(attribute) => {
                     each_column!(&table.cloud.attributes[attribute].values, values => blocks(out, values))
@@ -33,16 +30,6 @@ pub(super) fn write(out: &mut dyn Write, table: &PointTable) -> io::Result<()> {
         })?;
     }
     archive.finish()
-}
-
-/// The bytes of numbers, some at a time.
-fn blocks<T: Number>(out: &mut dyn Write, numbers: &[T]) -> io::Result<()> {
-    let mut bytes = Vec::new();
-    numbers.chunks(BLOCK).try_for_each(|block| {
-        bytes.clear();
-        block.iter().for_each(|number| number.put(&mut bytes));
-        out.write_all(&bytes)
-    })
 }
 
 /// NumPy's name of a type.

@@ -97,8 +97,9 @@ fn write_group(
         let values: Vec<f64> = table.cloud.positions[rows.clone()].iter().map(|p| p[axis]).collect();
         put::<DoubleType>(group, &values)?;
     }
-    let classes: Vec<i32> = table.classes[rows.clone()].iter().map(|&class| class.into()).collect();
-    put::<Int32Type>(group, &classes)?;
+    if let Some(classes) = table.classes.get(rows.clone()) {
+        put::<Int32Type>(group, &wide(classes, |class| class.into()))?;
+    }
     if !table.scores.is_empty() {
         put::<FloatType>(group, &table.scores[rows.clone()])?;
     }

@@ -12,8 +12,9 @@ pub(super) fn write(out: &mut dyn Write, table: &PointTable) -> io::Result<()> {
     let names = names(table);
     let more: Vec<(&str, &str)> =
         names.iter().map(|(name, kind)| (type_name(*kind), name.as_str())).collect();
-    let classes = "class: 0 smooth, 1 crease, 2 border, 3 corner, 4 clutter";
-    ply::header(out, &[classes], &[ply::vertices(table.cloud.len(), &more)])?;
+    let comments = ["class: 0 smooth, 1 crease, 2 border, 3 corner, 4 clutter"];
+    let comments = if table.classified() { &comments[..] } else { &[] };
+    ply::header(out, comments, &[ply::vertices(table.cloud.len(), &more)])?;
     let mut row = Vec::with_capacity(64);
     for index in 0..table.cloud.len() {
         row.clear();

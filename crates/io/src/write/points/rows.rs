@@ -5,14 +5,19 @@ use crate::columns::{Number, Scalar, each_column, get};
 use lineament::Column;
 use std::collections::BTreeMap;
 
-/// Names that class and score have in every format.
+/// Names of coordinates, class and score in every format.
 const TAKEN: [&str; 5] = ["x", "y", "z", "class", "score"];
 
-/// Names of all columns after x, y and z, with their types: class, score if there are scores, then the attributes of the
+/// Names of all columns after x, y and z, with their types: class and score where there are such, then the attributes of the
 /// input, renamed where the name is taken.
 pub(super) fn names(table: &PointTable) -> Vec<(String, Scalar)> {
-    let mut used: BTreeMap<String, usize> = TAKEN.map(|name| (name.to_string(), 1)).into();
-    let mut names = vec![("class".to_string(), Scalar::U8)];
+    // Without classes the columns of a classified input keep their names.
+    let taken = if table.classified() { &TAKEN[..] } else { &TAKEN[..3] };
+    let mut used: BTreeMap<String, usize> = taken.iter().map(|name| (name.to_string(), 1)).collect();
+    let mut names = Vec::new();
+    if table.classified() {
+        names.push(("class".to_string(), Scalar::U8));
+    }
     if !table.scores.is_empty() {
         names.push(("score".into(), Scalar::F32));
     }
@@ -59,7 +64,10 @@ pub(super) fn bytes(table: &PointTable, index: usize, wide: bool, row: &mut Vec<
 /// The values of a whole row as text.
 pub(super) fn text(table: &PointTable, index: usize, separator: char) -> String {
     let [x, y, z] = table.cloud.positions[index];
-    let mut line = format!("{x:?}{separator}{y:?}{separator}{z:?}{separator}{}", table.classes[index]);
+    let mut line = format!("{x:?}{separator}{y:?}{separator}{z:?}");
+    if let Some(class) = table.classes.get(index) {
+        line += &format!("{separator}{class}");
+    }
     if let Some(score) = table.scores.get(index) {
         line += &format!("{separator}{score:?}");
     }
