@@ -7,6 +7,7 @@ mod metamorphic;
 mod naming;
 mod narrow_faces;
 mod projection;
+mod scales;
 mod scanned;
 mod section_axis;
 mod section_degenerate;

@@ -17,7 +17,18 @@ fn clouds() -> Vec<(&'static str, Vec<[f64; 3]>)> {
         ("cylinders", scan(cylinders(1.0, 0.6), 3000, 0.0)),
         ("wedge", scan(wedge(90.0), 2500, 0.25)),
     ];
-    clouds.map(|(name, points)| (name, few_bits(&points))).to_vec()
+    let clouds = clouds.into_iter().chain([("strays, rows and a coarse sheet", uneven())]);
+    clouds.map(|(name, points)| (name, few_bits(&points))).collect()
+}
+
+/// A folded sheet in rows, beside it a sheet four times as coarse, and strays above both.
+fn uneven() -> Vec<[f64; 3]> {
+    let mut rng = Rng::new(11);
+    let mut points = crate::scales::rows();
+    let mut coarse = |i: u32| [f64::from(i % 20), f64::from(i / 20)].map(|x| 2.0 * x + 0.3 * rng.uniform());
+    points.extend((0..400).map(&mut coarse).map(|[x, y]| [x + 60.0, y, 0.0]));
+    points.extend((0..12).map(|i| [8.0 * f64::from(i), 17.0 - f64::from(i % 5), 45.0 + 3.0 * f64::from(i)]));
+    points
 }
 
 /// The network with its sources as `number` counts them.
@@ -65,6 +76,13 @@ fn clouds_of_these_tests_have_lines() {
     for (name, points) in clouds() {
         assert!(found(&cloud(&points)).network.strips.len() >= 2, "{name}");
     }
+}
+
+#[test]
+fn one_of_these_clouds_has_clutter_rows_and_two_spacings() {
+    let result = found(&cloud(&uneven()));
+    assert!(result.clutter.len() >= 12, "{}", result.clutter.len());
+    assert!(result.report.points + result.clutter.len() < uneven().len() / 2, "{}", result.report.points);
 }
 
 #[test]
