@@ -55,6 +55,14 @@ fn bounds_give_the_points_that_the_whole_file_has_there_and_leave_nodes_unread()
 }
 
 #[test]
+fn bounds_beside_all_nodes_are_refused_with_the_points_passed_over() {
+    let options = ReadOptions { bounds: Some([[-9e6; 3], [-8e6; 3]]), ..ReadOptions::default() };
+    let message = from_bytes(&file(4000), "a.copc.laz", &options).unwrap_err().to_string();
+    assert!(message.contains("no point lies inside the bounds"), "{message}");
+    assert!(message.contains("4000 points in nodes outside the bounds"), "{message}");
+}
+
+#[test]
 fn nodes_that_overlap_are_read_though_others_are_damaged() {
     let mut bytes = file(4000);
     let whole = bounded(&bytes, [0.6; 3], [1.0; 3]);

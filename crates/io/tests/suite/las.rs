@@ -3,7 +3,7 @@
 use crate::common::las::{file, put};
 use crate::common::{from_bytes, shared};
 use lineament::Column;
-use lineament_io::{Error, Format, PointFormat, PointTable, ReadOptions, read, write_points_to};
+use lineament_io::{Error, Format, LasFrame, LasRecord, PointFormat, PointTable, ReadOptions, read, write_points_to};
 use proptest::prelude::*;
 
 #[test]
@@ -142,4 +142,21 @@ proptest! {
             Err(_) => {}
         }
     }
+}
+
+/// The reference system that these well-known text and code of GeoTIFF keys give.
+fn epsg(wkt: &str, projected: u16) -> Option<u32> {
+    let record = |id, data| LasRecord { user: "LASF_Projection".into(), id, data };
+    let keys = [1, 1, 0, 1, 3072, 0, 1, projected].map(u16::to_le_bytes).concat();
+    let records = vec![record(34735, keys), record(2112, wkt.as_bytes().to_vec())];
+    LasFrame { records, ..LasFrame::default() }.epsg()
+}
+
+#[test]
+fn geo_keys_give_the_code_that_well_known_text_has_not() {
+    let esri = "PROJCS[\"NAD_1983_StatePlane_California_III\",GEOGCS[\"GCS\"],UNIT[\"Meter\",1]]";
+    assert_eq!(epsg(esri, 26943), Some(26943));
+    let coded = "PROJCS[\"p\",GEOGCS[\"g\"],AUTHORITY[\"EPSG\",\"2180\"]]";
+    assert_eq!(epsg(coded, 26943), Some(2180));
+    assert_eq!(epsg(esri, 32767), None);
 }

@@ -4,7 +4,7 @@ use crate::common::example;
 use std::process::Command;
 
 fn runs(name: &str, files: &[&str]) {
-    let Some(program) = example(name) else { return };
+    let program = example(name).expect("the lessons are not built: `cargo test -p lineament-io` builds them");
     let folder = tempfile::tempdir().unwrap();
     let run = Command::new(program).current_dir(folder.path()).output().unwrap();
     assert!(run.status.success(), "{name}: {}", String::from_utf8_lossy(&run.stderr));

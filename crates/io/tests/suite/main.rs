@@ -11,6 +11,7 @@ mod formats;
 mod gltf;
 mod gpkg;
 mod gps;
+mod grids;
 mod killed;
 mod las;
 mod lessons;
