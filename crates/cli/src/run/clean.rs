@@ -46,6 +46,7 @@ fn one(work: &Work, args: &args::Clean, origin: &Origin, outputs: &[PathBuf]) ->
     }
     let mut lines = vec![summary::points(&input, &found.report), summary::resolution(&found.report)];
     lines.push(counts(&found, args.label));
+    lines.extend(found.report.notes.iter().map(|note| format!("note: {note}")));
     lines.extend(summary::warnings(&input));
     if work.args.running.verbose {
         lines.extend(input.remarks.iter().map(|remark| format!("input: {remark}")));

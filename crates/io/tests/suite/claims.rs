@@ -3,7 +3,9 @@
 use crate::common::e57_raw::{self, packet, scaled};
 use crate::common::{copc, from_bytes, las, parquet};
 use ::parquet::basic::Compression;
-use ::parquet::file::metadata::{FileMetaData, ParquetMetaDataBuilder, ParquetMetaDataReader, ParquetMetaDataWriter};
+use ::parquet::file::metadata::{
+    FileMetaData, ParquetMetaDataBuilder, ParquetMetaDataReader, ParquetMetaDataWriter,
+};
 use ::parquet::file::properties::WriterVersion;
 use bytes::Bytes;
 use lineament::{Attribute, Cloud, Column};

@@ -14,7 +14,8 @@ fn scan(text: &str) -> Scan {
 #[test]
 fn heights_are_points_in_the_middle_of_their_cells_from_the_north() {
     let found = scan(&format!("{HEADER}NODATA_value -1\n1 2 3\n4 -1 6\n"));
-    let expected = [[11.0, 23.0, 1.0], [13.0, 23.0, 2.0], [15.0, 23.0, 3.0], [11.0, 21.0, 4.0], [15.0, 21.0, 6.0]];
+    let expected =
+        [[11.0, 23.0, 1.0], [13.0, 23.0, 2.0], [15.0, 23.0, 3.0], [11.0, 21.0, 4.0], [15.0, 21.0, 6.0]];
     assert_eq!(found.cloud.positions, expected);
     assert_eq!(found.ignored, ["1 cells without a height"]);
 }
@@ -33,7 +34,10 @@ fn cells_of_minus_9999_have_no_height_where_the_header_names_no_value() {
     let found = scan(&format!("{HEADER}1 2 -9999\n4 5 6\n"));
     assert_eq!(found.cloud.positions.iter().map(|p| p[2]).collect::<Vec<f64>>(), [1.0, 2.0, 4.0, 5.0, 6.0]);
     let given = scan(&format!("{HEADER}nodata_value 0\n1 2 -9999\n4 5 0\n"));
-    assert_eq!(given.cloud.positions.iter().map(|p| p[2]).collect::<Vec<f64>>(), [1.0, 2.0, -9999.0, 4.0, 5.0]);
+    assert_eq!(
+        given.cloud.positions.iter().map(|p| p[2]).collect::<Vec<f64>>(),
+        [1.0, 2.0, -9999.0, 4.0, 5.0]
+    );
 }
 
 #[test]

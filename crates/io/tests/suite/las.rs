@@ -3,7 +3,9 @@
 use crate::common::las::{file, put};
 use crate::common::{from_bytes, shared};
 use lineament::Column;
-use lineament_io::{Error, Format, LasFrame, LasRecord, PointFormat, PointTable, ReadOptions, read, write_points_to};
+use lineament_io::{
+    Error, Format, LasFrame, LasRecord, PointFormat, PointTable, ReadOptions, read, write_points_to,
+};
 use proptest::prelude::*;
 
 #[test]
