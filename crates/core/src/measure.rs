@@ -184,3 +184,37 @@ pub struct Evidence {
     /// Angle between the faces, radians, never negative.
     pub fold: f32,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn measure() -> Measure {
+        let mut crease = Penalties::new(0.5, Direction::Across);
+        let row = Row { scalar: 0.5, vector: [0.0; 3], corner: 1.0, foot: [0.0; 3], evidence: None };
+        crease.push(1, row);
+        let border = Penalties::new(0.5, Direction::Across);
+        Measure { density: vec![1.0; 2], score: vec![0.0; 2], crease, border, ..Measure::default() }
+    }
+
+    #[test]
+    fn values_that_are_not_finite_or_out_of_range_are_refused() {
+        assert!(measure().check(2, false).is_ok());
+        let faults: [(&str, fn(&mut Measure)); 8] = [
+            ("`score` of point 1 is not finite", |m| m.score[1] = f32::NAN),
+            ("`density` of point 0 is not finite", |m| m.density[0] = f32::INFINITY),
+            ("candidate 1 has a value that is not finite", |m| m.crease.vector[0][2] = f32::NAN),
+            ("candidate 1 has a value that is not finite", |m| m.crease.corner[0] = f32::NAN),
+            ("candidate 1 has a value that is not finite", |m| m.crease.foot[0][0] = f64::NAN),
+            ("candidate 1 has a penalty of -0.1", |m| m.crease.scalar[0] = -0.1),
+            ("candidate 1 has a penalty of NaN", |m| m.crease.scalar[0] = f32::NAN),
+            ("`border`: a share of NaN", |m| m.border.share = f64::NAN),
+        ];
+        for (said, spoil) in faults {
+            let mut spoilt = measure();
+            spoil(&mut spoilt);
+            let message = spoilt.check(2, false).unwrap_err().to_string();
+            assert!(message.contains(said), "{said}: {message}");
+        }
+    }
+}

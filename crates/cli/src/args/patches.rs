@@ -13,8 +13,8 @@ Divide a scan into its smooth patches and write their points, boundary loops and
   lineament patches part.ply -o part.patches.ply     the points with the number of their patch
   lineament patches part.ply -o part.patches.json    loops, areas and fitted surfaces
 
-There is no default output: name at least one with -o. The lines between the patches are those of the method
-`segments` unless --method, --params or --set chooses another.";
+There is no default output: name at least one with -o. The method is `segments` unless --method, --params or
+--set chooses another.";
 
 /// The foot of the help.
 fn help() -> String {

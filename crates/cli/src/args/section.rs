@@ -71,7 +71,7 @@ pub struct Slicing {
     /// Distance between slices, in the unit of the input
     #[arg(long, value_name = "S", group = "planes")]
     pub every: Option<f64>,
-    /// Number of slices, evenly through the whole scan [default: 10]
+    /// Number of slices, evenly through the whole scan, at most 100000 [default: 10]
     #[arg(long, value_name = "N", group = "planes")]
     pub count: Option<usize>,
     /// Positions of the slices along the axis: Z1,Z2,...

@@ -16,7 +16,23 @@ fn clouds() -> Vec<(&'static str, Vec<[f64; 3]>)> {
         ("sheet with a hole", scan(sheet_with_hole(), 2000, 0.0)),
         ("cylinders", scan(cylinders(1.0, 0.6), 3000, 0.0)),
         ("wedge", scan(wedge(90.0), 2500, 0.25)),
+        ("rows and strays", rows_and_strays()),
     ]
+}
+
+/// A folded sheet in rows 1 apart along which points lie .2 apart, and strays above it.
+fn rows_and_strays() -> Vec<[f64; 3]> {
+    let mut rng = Rng::new(7);
+    let rows = (0..15).flat_map(|row| (0..100).map(move |i| (row, i)));
+    let mut points: Vec<[f64; 3]> = rows
+        .map(|(row, i)| {
+            let along = 0.2 * f64::from(i % 50);
+            let y = f64::from(row) + 0.1 * rng.uniform();
+            if i < 50 { [along, y, 0.0] } else { [10.0, y, along] }
+        })
+        .collect();
+    points.extend((0..9).map(|i| [3.0, 12.0 - f64::from(i % 4), 30.0 + 6.0 * f64::from(i)]));
+    points
 }
 
 /// The bytes of the OBJ and the JSON file that come of these points.
