@@ -38,10 +38,10 @@ pub fn extract_observed(
 }
 
 /// As [`extract`], with a detector of one's own and the linker of the method `penalty`. `detect` gets the positions (distinct
-/// points in canonical order, local frame), their neighbour graph, spacing and noise.
+/// points on surfaces in canonical order, local frame), their neighbour graph, and the mean spacing and the noise.
 ///
 /// # Errors
-/// As [`extract`], and [`Error::Measure`] for a measure whose rows do not match the points.
+/// As [`extract`], and [`Error::Measure`] for a measure whose rows do not match the points or whose values are out of range.
 pub fn extract_with(
     world: &Cloud,
     params: &Params,
