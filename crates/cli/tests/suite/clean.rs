@@ -35,6 +35,9 @@ fn column(scan: &Scan, name: &str) -> Vec<f64> {
     let found = scan.cloud.attributes.iter().find(|a| a.name == name);
     match &found.unwrap_or_else(|| panic!("no `{name}`")).values {
         Column::U8(v) => v.iter().map(|&x| x.into()).collect(),
+        Column::I16(v) => v.iter().map(|&x| x.into()).collect(),
+        Column::U16(v) => v.iter().map(|&x| x.into()).collect(),
+        Column::I32(v) => v.iter().map(|&x| x.into()).collect(),
         Column::F32(v) => v.iter().map(|&x| x.into()).collect(),
         Column::F64(v) => v.clone(),
         other => panic!("{name}: {other:?}"),
