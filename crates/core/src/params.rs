@@ -81,8 +81,10 @@ sections! {
         /// Edges that a cycle needs to be kept, and twice those of a branch; auto: half the root of the number of points in the
         /// paper's form, a length of `loop_spacings` in the robust form.
         rho: Auto<usize> = Auto::Auto, "edges", 3.0..=1000000.0;
-        /// Length that a cycle needs to be kept, and twice that of a branch, where `rho` is auto (robust form only).
+        /// Length that a cycle needs to be kept, where `rho` is auto (robust form only).
         loop_spacings: f64 = 10.0, "spacings", 1.0..=1000.0;
+        /// Depth that a branch needs to be kept, where `rho` is auto (robust form only).
+        branch_spacings: f64 = 2.5, "spacings", 0.5..=1000.0;
         /// Least ratio of the area that a cycle encloses to its length: two strands of one band are no loop (robust form only).
         openness_spacings: f64 = 0.9, "spacings", 0.0..=100.0;
         /// Whether creases are looked for.
@@ -97,6 +99,8 @@ sections! {
         sharp_share: f64 = 0.4, "", 0.0..=1.0;
         /// Evidence that a connected piece of creases must show, since chance adds up to some twenty on noise.
         evidence: f64 = 25.0, "variances", 0.0..=1000000.0;
+        /// Length that a connected piece of lines needs to stay.
+        piece_spacings: f64 = 5.0, "spacings", 0.0..=1000.0;
         /// How far loose ends are led on, as a multiple of the usual gaps: up to 10 spacings for creases, 16 for borders, the
         /// less, the more the ends look aside.
         bridge_reach: f64 = 1.0, "", 0.0..=10.0;

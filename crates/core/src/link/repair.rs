@@ -36,9 +36,9 @@ pub(super) fn repair(
     params: &RepairParams,
 ) {
     remove_rungs(lines, scales, params);
-    judge(lines, scales, rule, params);
+    judge(lines, scales, params);
     bridge(lines, kind, scales, params);
-    prune(lines, CycleRule { rho: SPURS * rule.rho, ..rule });
+    prune(lines, CycleRule { branch: SPURS * rule.branch, ..rule });
     remove_rungs(lines, scales, params);
     corners(lines, kind, scales, params);
 }

@@ -77,7 +77,7 @@ fn open_lines(cloud: &Segments, recorder: &mut Recorder) -> (LineGraph, LineGrap
     recorder.lines("G_pruned_mst", &lines);
     prune(&mut lines, rule);
     remove_rungs(&mut lines, resolution.into(), &params.repair);
-    judge(&mut lines, resolution.into(), rule, &params.repair);
+    judge(&mut lines, resolution.into(), &params.repair);
     recorder.lines("G_pruned_branches", &lines);
     let all = ground(&clusters, &cluster_of, points, graph, penalties, segments, resolution);
     (lines, all)

@@ -5,7 +5,6 @@
 //! shows almost none, and the comparison needs no threshold that grows with noise. A connected piece is dropped as well if all
 //! its evidence together could be chance. Not in Gumhold 2001, which prunes by length alone.
 
-use crate::link::spanning::CycleRule;
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::distance;
 use crate::measure::Evidence;
@@ -17,7 +16,7 @@ use crate::surface::Scales;
 const WITHIN_JUNCTION: f64 = 3.0;
 
 /// Drops strips along rounds, then pieces too short or with too little evidence to be lines.
-pub(crate) fn judge(lines: &mut LineGraph, scales: Scales, rule: CycleRule, params: &RepairParams) {
+pub(crate) fn judge(lines: &mut LineGraph, scales: Scales, params: &RepairParams) {
     let share = params.sharp_share;
     loop {
         let round: Vec<Path> =
@@ -30,7 +29,7 @@ pub(crate) fn judge(lines: &mut LineGraph, scales: Scales, rule: CycleRule, para
         }
     }
     // Neighbouring points share their neighbours, so chance alone adds up to about twenty along the false lines of a noisy round.
-    drop_pieces(lines, rule.long_branch(), params.evidence, scales);
+    drop_pieces(lines, params.piece_spacings, params.evidence, scales);
 }
 
 /// Whether the strip shows less than a `share` of the evidence expected of a fold of its angle.

@@ -4,7 +4,7 @@ use super::rule::CycleRule;
 use super::walk::Walker;
 use crate::pattern::LineGraph;
 
-/// Removes branches less deep than half of `rho`, but leaves each singleton end its longest path.
+/// Removes branches less deep than `branch` (half of `rho` as printed), but leaves each singleton end its longest path.
 ///
 /// The paper's two steps are one rule here: at a vertex with `n` long branches, all short ones go except the `2 - n` deepest.
 /// This is repeated until nothing changes, as a removal can turn a junction into a singleton end.
@@ -14,7 +14,7 @@ pub(crate) fn prune(lines: &mut LineGraph, rule: CycleRule) {
         let mut changed = false;
         for v in 0..lines.edges.len() as u32 {
             if lines.edges[v as usize].len() > 2 {
-                changed |= prune_at(lines, &mut walker, v, rule.long_branch());
+                changed |= prune_at(lines, &mut walker, v, rule.branch);
             }
         }
         if !changed {

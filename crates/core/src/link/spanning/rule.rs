@@ -15,9 +15,11 @@ pub(crate) enum Metric<'a> {
 /// The rule by which cycles of a spanning graph stay and branches go.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct CycleRule<'a> {
-    /// Least length of a cycle; branches shorter than half of it are pruned (the paper's `rho`).
+    /// Least length of a cycle (the paper's `rho`).
     pub(crate) rho: f64,
-    /// The measure of `rho`.
+    /// Least depth of a branch: half of `rho` as printed.
+    pub(crate) branch: f64,
+    /// The measure of `rho` and `branch`.
     pub(crate) metric: Metric<'a>,
     /// Least ratio of the area that a cycle encloses to its length, spacings (robust form): keeps two strands of one band from
     /// forming a loop.
@@ -35,17 +37,15 @@ impl<'a> CycleRule<'a> {
         points: usize,
         scales: Scales<'a>,
     ) -> CycleRule<'a> {
-        let (rho, metric) = match (params.rho, form) {
-            (Auto::Given(rho), _) => (rho as f64, Metric::Edges),
-            (Auto::Auto, PenaltyForm::Paper) => (0.5 * (points as f64).sqrt(), Metric::Edges),
-            (Auto::Auto, PenaltyForm::Robust) => (params.loop_spacings, Metric::Lengths(scales)),
+        let edges = |rho: f64| (rho, 0.5 * rho, Metric::Edges);
+        let (rho, branch, metric) = match (params.rho, form) {
+            (Auto::Given(rho), _) => edges(rho as f64),
+            (Auto::Auto, PenaltyForm::Paper) => edges(0.5 * (points as f64).sqrt()),
+            (Auto::Auto, PenaltyForm::Robust) => {
+                (params.loop_spacings, params.branch_spacings, Metric::Lengths(scales))
+            }
         };
-        CycleRule { rho, metric, openness: params.openness_spacings, form }
-    }
-
-    /// Least depth of a branch that stays.
-    pub(crate) fn long_branch(&self) -> f64 {
-        0.5 * self.rho
+        CycleRule { rho, branch, metric, openness: params.openness_spacings, form }
     }
 }
 
