@@ -52,18 +52,19 @@ pub(crate) fn prepare(world: &Cloud, params: &Params, clock: &mut Clock) -> Resu
     let (mut clutter, mut findings) = (Vec::new(), Findings::default());
     if cleaned(params) {
         clock.run(Stage::Surface, || {
+            // The graph would be half of the memory of this stage, which needs the lists alone.
+            joined.graph = Neighbors::default();
             let sorted = surface::sort(&positions, &joined.nearest, joined.resolution);
             findings = sorted.findings;
             if sorted.stands.is_empty() {
+                joined.graph = riemannian::graph(&positions, &joined.nearest);
                 return Ok(());
             }
-            // The old graph is freed first: beside the new one it would raise the peak of memory.
-            let all = std::mem::take(&mut joined).nearest;
+            let all = std::mem::take(&mut joined.nearest);
             let number = numbers(&sorted.stands);
             clutter = take_out(&sorted.stands, &number, &mut positions, &mut source, &mut canonical);
             refuse_degenerate(world.len(), &positions)?;
-            let nearest = among(&all, params.neighbors.k, &number, &positions);
-            drop(all);
+            let nearest = among(all, params.neighbors.k, &number, &positions);
             joined = Joined::over(nearest, &positions, params);
             Ok(())
         })?;

@@ -1,44 +1,38 @@
 //! The nearest neighbours that are left when some points are taken out.
 
+use super::all_nearest;
 use super::index::Index;
 use super::rows::Neighbors;
 use rayon::prelude::*;
 
-/// The lists of [`all_nearest`](super::all_nearest) for the points that stay, from those for all points: a list of which every point stays
-/// is the same; others are searched for anew.
+/// The lists of [`all_nearest`] for the points that stay, from those for all points, in their room: a list of which every point
+/// stays is the same; others are searched for anew.
 ///
 /// `all` are the lists of all points, of `k` neighbours each or as many as there are; `number` is `(N)` the new index of each point,
 /// `u32::MAX` if it does not stay, ascending; `positions` are those of the `(M)` points that stay.
-pub fn among(all: &Neighbors, k: usize, number: &[u32], positions: &[[f64; 3]]) -> Neighbors {
-    let k = k.min(positions.len().saturating_sub(1));
-    let stay: Vec<u32> =
-        number.iter().zip(0..).filter(|&(&new, _)| new != u32::MAX).map(|(_, old)| old).collect();
-    let mut indices = vec![0; positions.len() * k];
-    if k > 0 {
-        let index = Index::build(positions);
-        indices.par_chunks_mut(k).zip(&stay).with_min_len(1024).enumerate().for_each_init(
-            Vec::new,
-            |found, (new, (list, &old))| {
-                if kept(all.of(old as usize), number, list) {
-                    return;
-                }
-                index.nearest(positions[new], k + 1, found);
-                let others = found.iter().map(|f| f.index).filter(|&j| j as usize != new);
-                list.iter_mut().zip(others).for_each(|(place, j)| *place = j);
-            },
-        );
+pub fn among(all: Neighbors, k: usize, number: &[u32], positions: &[[f64; 3]]) -> Neighbors {
+    if k == 0 || positions.len() <= k {
+        return all_nearest(positions, k);
     }
-    let offsets = (0..=positions.len() as u64).map(|i| i * k as u64).collect();
+    let Neighbors { mut offsets, mut indices } = all;
+    let stay = (0..number.len()).filter(|&old| number[old] != u32::MAX);
+    for (new, old) in stay.enumerate() {
+        // A list never moves up, so that none is overwritten before it is read.
+        for c in 0..k {
+            indices[new * k + c] = number[indices[old * k + c] as usize];
+        }
+    }
+    indices.truncate(positions.len() * k);
+    offsets.truncate(positions.len() + 1);
+    let index = Index::build(positions);
+    indices.par_chunks_mut(k).with_min_len(1024).enumerate().for_each_init(Vec::new, |found, (new, list)| {
+        if list.contains(&u32::MAX) {
+            index.nearest(positions[new], k + 1, found);
+            let others = found.iter().map(|f| f.index).filter(|&j| j as usize != new);
+            list.iter_mut().zip(others).for_each(|(place, j)| *place = j);
+        }
+    });
     Neighbors { offsets, indices }
-}
-
-/// Fills `list` with the new numbers of `old`; whether all of them stay.
-fn kept(old: &[u32], number: &[u32], list: &mut [u32]) -> bool {
-    old.len() == list.len()
-        && list.iter_mut().zip(old).all(|(place, &j)| {
-            *place = number[j as usize];
-            *place != u32::MAX
-        })
 }
 
 #[cfg(test)]
@@ -67,7 +61,7 @@ mod tests {
             let left: Vec<[f64; 3]> =
                 points.iter().zip(&stays).filter(|&(_, &s)| s).map(|(p, _)| *p).collect();
             assert_eq!(
-                among(&all_nearest(&points, 12), 12, &number, &left),
+                among(all_nearest(&points, 12), 12, &number, &left),
                 all_nearest(&left, 12),
                 "{share}"
             );
