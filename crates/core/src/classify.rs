@@ -15,7 +15,7 @@ const ON_LINE: f64 = 0.85;
 pub fn classes(points: &[[f64; 3]], network: &Network, scales: Scales) -> Vec<Class> {
     let mut classes = vec![Class::Smooth; points.len()];
     let index = Index::build(points);
-    let near = |i: u32, distance2: f64| distance2 <= (ON_LINE * scales.at(i as usize).spacing).powi(2);
+    let near = |i: u32, distance2: f64| distance2 <= (ON_LINE * scales.cautious(i)).powi(2);
     let mut found = Vec::new();
     for strip in &network.strips {
         let class = match strip.kind {
@@ -38,7 +38,7 @@ pub fn classes(points: &[[f64; 3]], network: &Network, scales: Scales) -> Vec<Cl
         }
     }
     for node in &network.nodes {
-        index.within(node.position, ON_LINE * scales.at(node.source as usize).spacing, &mut found);
+        index.within(node.position, ON_LINE * scales.cautious(node.source), &mut found);
         for f in found.iter().filter(|f| near(f.index, f.distance2)) {
             classes[f.index as usize] = Class::Corner;
         }
