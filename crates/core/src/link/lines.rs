@@ -53,9 +53,10 @@ pub(super) fn lines_of(
     density: &[f32],
     penalties: &Penalties,
     scales: Scales,
-    LineRules { tau, cycle: rule, repair: params }: LineRules,
+    LineRules { tau, cycle, repair: params }: LineRules,
     kind: StripKind,
 ) -> LineGraph {
+    let rule = cycle.of(kind);
     let hops = match (kind, rule.form) {
         (StripKind::Border, PenaltyForm::Robust) => ROBUST_BORDER_HOPS,
         _ => 1,

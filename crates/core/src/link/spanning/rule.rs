@@ -1,7 +1,13 @@
 //! The length `rho`: which cycles are long enough to stay and which branches are short (Gumhold 2001, section 3.2).
 
+use crate::network::StripKind;
 use crate::params::{Auto, PenaltyForm, SpanningParams};
+use crate::resolution::Resolution;
 use crate::surface::Scales;
+
+/// Least depth of a branch without noise and with it, spacings; and the noise from which on it is the latter, spacings.
+const BRANCH: (f64, f64) = (2.5, 5.0);
+const NOISY: f64 = 0.1;
 
 /// The measure of length of cycles and branches.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,11 +48,27 @@ impl<'a> CycleRule<'a> {
             (Auto::Given(rho), _) => edges(rho as f64),
             (Auto::Auto, PenaltyForm::Paper) => edges(0.5 * (points as f64).sqrt()),
             (Auto::Auto, PenaltyForm::Robust) => {
-                (params.loop_spacings, params.branch_spacings, Metric::Lengths(scales))
+                let branch = params.branch_spacings.or(|| branch(scales.mean));
+                (params.loop_spacings, branch, Metric::Lengths(scales))
             }
         };
         CycleRule { rho, branch, metric, openness: params.openness_spacings, form }
     }
+
+    /// The rule for lines of one kind: short branches of borders are never kept, as the last row of points has teeth where the
+    /// density changes.
+    pub(crate) fn of(self, kind: StripKind) -> Self {
+        match kind {
+            StripKind::Crease => self,
+            StripKind::Border => CycleRule { branch: self.branch.max(0.5 * self.rho), ..self },
+        }
+    }
+}
+
+/// Least depth of a branch of creases, spacings.
+fn branch(mean: Resolution) -> f64 {
+    let noisy = (mean.noise / (NOISY * mean.spacing)).min(1.0);
+    BRANCH.0 + noisy * (BRANCH.1 - BRANCH.0)
 }
 
 #[cfg(test)]
@@ -61,6 +83,12 @@ mod tests {
         assert_eq!((printed.rho, printed.metric), (100.0, Metric::Edges));
         let robust = CycleRule::new(&params, PenaltyForm::Robust, 40_000, scales);
         assert_eq!((robust.rho, robust.metric), (params.loop_spacings, Metric::Lengths(scales)));
+        assert_eq!([StripKind::Crease, StripKind::Border].map(|kind| robust.of(kind).branch), [2.5, 5.0]);
+        for (noise, least) in [(0.1, 3.75), (0.2, 5.0), (2.0, 5.0)] {
+            let scales = Scales::from(crate::Resolution { spacing: 2.0, noise });
+            let rule = CycleRule::new(&params, PenaltyForm::Robust, 40_000, scales);
+            assert_eq!(rule.branch, least, "noise {noise}");
+        }
         let given = SpanningParams { rho: Auto::Given(30), ..params };
         let rule = CycleRule::new(&given, PenaltyForm::Robust, 40_000, scales);
         assert_eq!((rule.rho, rule.metric), (30.0, Metric::Edges));
