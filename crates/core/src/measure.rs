@@ -189,6 +189,8 @@ pub struct Evidence {
 mod tests {
     use super::*;
 
+    type Spoil = fn(&mut Measure);
+
     fn measure() -> Measure {
         let mut crease = Penalties::new(0.5, Direction::Across);
         let row = Row { scalar: 0.5, vector: [0.0; 3], corner: 1.0, foot: [0.0; 3], evidence: None };
@@ -200,7 +202,7 @@ mod tests {
     #[test]
     fn values_that_are_not_finite_or_out_of_range_are_refused() {
         assert!(measure().check(2, false).is_ok());
-        let faults: [(&str, fn(&mut Measure)); 8] = [
+        let faults: [(&str, Spoil); 8] = [
             ("`score` of point 1 is not finite", |m| m.score[1] = f32::NAN),
             ("`density` of point 0 is not finite", |m| m.density[0] = f32::INFINITY),
             ("candidate 1 has a value that is not finite", |m| m.crease.vector[0][2] = f32::NAN),
