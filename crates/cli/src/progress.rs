@@ -1,39 +1,103 @@
 //! Progress on the terminal while work is long.
 
 use std::io::IsTerminal;
+use std::sync::Mutex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lineament::section::{SectionParams, Sections, Stack, section_observed};
-use lineament::{Cloud, Error, Extraction, Params, Progress, extract, extract_observed};
+use lineament::{Cloud, Error, Extraction, Params, Progress, Stage, extract, extract_observed};
 
 /// Work shorter than this shows nothing.
 const PATIENCE: Duration = Duration::from_millis(700);
 const TICK: Duration = Duration::from_millis(120);
+/// Stages with the share of the time that they take of an extraction, as measured on scans of a million points.
+const SHARES: [(Stage, f64); 7] = [
+    (Stage::Localise, 0.03),
+    (Stage::Neighbors, 0.17),
+    (Stage::Surface, 0.10),
+    (Stage::Detect, 0.45),
+    (Stage::Link, 0.17),
+    (Stage::Recover, 0.03),
+    (Stage::Patches, 0.05),
+];
 
-/// Extracts the lines. On a terminal, and unless the user has asked for quiet, standard error shows the stage.
+/// Extracts the lines. On a terminal, and unless the user has asked for quiet, standard error shows the stage, the share done and
+/// the time left.
 pub fn observed(cloud: &Cloud, params: &Params, quiet: bool) -> Result<Extraction, Error> {
-    if quiet || !std::io::stderr().is_terminal() {
+    if is_silent(quiet) {
         return extract(cloud, params);
     }
-    shown(|line| extract_observed(cloud, params, &|progress| line.set_message(text(progress))))
-}
-
-/// Cuts sections. On a terminal, and unless the user has asked for quiet, standard error shows the share done.
-pub fn sectioned(cloud: &Cloud, params: &SectionParams, quiet: bool) -> Result<(Sections, Stack), Error> {
-    if quiet || !std::io::stderr().is_terminal() {
-        return section_observed(cloud, params, &|_| ());
-    }
-    shown(|line| {
-        line.set_message("section");
-        section_observed(cloud, params, &|share| line.set_message(format!("section {:.0} %", 100.0 * share)))
+    let clock = Clock::start();
+    shown("extract", |line| {
+        extract_observed(cloud, params, &|progress| {
+            line.set_message(clock.text(progress.stage.name(), share(progress)));
+        })
     })
 }
 
+/// Cuts sections. On a terminal, and unless the user has asked for quiet, standard error shows the share done and the time left.
+pub fn sectioned(cloud: &Cloud, params: &SectionParams, quiet: bool) -> Result<(Sections, Stack), Error> {
+    if is_silent(quiet) {
+        return section_observed(cloud, params, &|_| ());
+    }
+    let clock = Clock::start();
+    shown("section", |line| {
+        section_observed(cloud, params, &|share| line.set_message(clock.text("section", share)))
+    })
+}
+
+/// Does work of which no share is known. On a terminal, and unless the user has asked for quiet, standard error names it.
+pub fn named<R>(name: &'static str, quiet: bool, work: impl FnOnce() -> R) -> R {
+    if is_silent(quiet) { work() } else { shown(name, |_| work()) }
+}
+
+fn is_silent(quiet: bool) -> bool {
+    quiet || !std::io::stderr().is_terminal()
+}
+
+/// The share of an extraction that is done where a stage begins or ends.
+fn share(progress: Progress) -> f64 {
+    let before =
+        SHARES.iter().take_while(|(stage, _)| *stage != progress.stage).map(|(_, share)| share).sum::<f64>();
+    let own = SHARES.iter().find(|(stage, _)| *stage == progress.stage).map_or(0.0, |(_, share)| *share);
+    before + progress.done * own
+}
+
+/// How long work has taken, and the share of it that is done; shares told late by another thread do not set it back.
+struct Clock {
+    start: Instant,
+    share: Mutex<f64>,
+}
+
+impl Clock {
+    fn start() -> Self {
+        Self { start: Instant::now(), share: Mutex::new(0.0) }
+    }
+
+    /// What is done, with the share and the time left where some is known.
+    fn text(&self, name: &str, share: f64) -> String {
+        let mut most = self.share.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        *most = most.max(share);
+        said(name, *most, self.start.elapsed().as_secs_f64())
+    }
+}
+
+/// The words for work after so many seconds.
+fn said(name: &str, share: f64, seconds: f64) -> String {
+    if share < 0.02 {
+        return name.into();
+    }
+    let left = (seconds * (1.0 - share) / share).ceil();
+    let left = if left < 100.0 { format!("{left:.0} s") } else { format!("{:.0} min", (left / 60.0).ceil()) };
+    format!("{name} {:.0} %, {left} left", (100.0 * share).floor())
+}
+
 /// Does work with a line on standard error that appears once the work is long.
-fn shown<R>(work: impl FnOnce(&ProgressBar) -> R) -> R {
+fn shown<R>(name: &'static str, work: impl FnOnce(&ProgressBar) -> R) -> R {
     let line = hidden_line();
+    line.set_message(name);
     let (done, is_done) = channel::<()>();
     let watched = &line;
     let result = std::thread::scope(|scope| {
@@ -59,12 +123,23 @@ fn hidden_line() -> ProgressBar {
     }
 }
 
-/// The stage, with the share done where it is known.
-fn text(progress: Progress) -> String {
-    let name = progress.stage.name();
-    if progress.done > 0.0 && progress.done < 1.0 {
-        format!("{name} {:.0} %", 100.0 * progress.done)
-    } else {
-        name.into()
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_of_stages_add_up_in_their_order() {
+        assert!((SHARES.iter().map(|(_, share)| share).sum::<f64>() - 1.0).abs() < 1e-12);
+        let at = |stage, done| share(Progress { stage, done });
+        assert_eq!(at(Stage::Localise, 0.0), 0.0);
+        assert!((at(Stage::Detect, 0.0) - 0.3).abs() < 1e-12);
+        assert!((at(Stage::Patches, 1.0) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_time_left_follows_from_the_share() {
+        assert_eq!(said("link", 0.0, 5.0), "link");
+        assert_eq!(said("link", 0.75, 6.0), "link 75 %, 2 s left");
+        assert_eq!(said("section", 0.1, 60.0), "section 10 %, 9 min left");
     }
 }

@@ -5,6 +5,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use lineament::mesh::MeshPoints;
 use lineament::{Cloud, shapes};
 use lineament_io::{LasFrame, ReadOptions, read};
 
@@ -29,6 +30,8 @@ pub struct Input {
     pub crs: Option<String>,
     pub epsg: Option<u32>,
     pub las: Option<LasFrame>,
+    /// Faces that the points were sampled on, and the spacing of these points.
+    pub sampled: Option<(usize, f64)>,
     /// The name of the format, and the number of bytes; nothing for a generated scan.
     pub format: Option<(String, u64)>,
     /// The missing part of a salvaged file.
@@ -151,9 +154,15 @@ fn with_reading(options: &ReadOptions, reading: &Reading) -> ReadOptions {
         classes: reading.class.clone(),
         returns: reading.returns,
         scan: reading.scan,
+        every: reading.every,
         voxel: reading.voxel,
         bounds: reading.bounds,
         format: reading.input_format,
+        mesh: Some(match reading.samples {
+            _ if reading.vertices => MeshPoints::Vertices,
+            Some(count) => MeshPoints::Sampled(count),
+            None => MeshPoints::Auto,
+        }),
         ..options.clone()
     }
 }
@@ -166,6 +175,7 @@ fn from_file(path: &Path, name: String, options: &ReadOptions) -> Result<Input, 
         crs: scan.crs,
         epsg: scan.epsg,
         las: scan.las,
+        sampled: scan.sampled,
         format: Some((scan.format.to_string(), scan.bytes)),
         missing: scan.missing.map(|m| format!("the file ends early: {m}")),
         warnings: scan.warnings,
@@ -189,6 +199,7 @@ fn from_sample(sample: &str, seed: u64, name: String) -> Result<Input, Failure> 
         crs: None,
         epsg: None,
         las: None,
+        sampled: None,
         format: None,
         missing: None,
         warnings: Vec::new(),

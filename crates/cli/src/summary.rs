@@ -12,6 +12,7 @@ pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> 
     let mut lines = vec![points(input, report)];
     lines.extend(report.surface.unused(report.read));
     lines.extend([resolution(report), counts(&extraction.network)]);
+    lines.extend(no_line(extraction));
     lines.extend(warnings(input));
     lines.extend(report.notes.iter().map(|note| format!("note: {note}")));
     if verbose {
@@ -19,6 +20,41 @@ pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> 
         lines.extend(report.settings.iter().map(|(key, value)| format!("chosen: {key} = {value}")));
     }
     lines
+}
+
+/// Points below which a cloud is too small to show a line.
+const FEW_POINTS: usize = 200;
+
+/// Why there is no line, where there is none.
+fn no_line(extraction: &Extraction) -> Option<String> {
+    let Extraction { network, report, .. } = extraction;
+    if !network.strips.is_empty() {
+        return None;
+    }
+    let used = |key: &str| report.used.iter().find(|(k, _)| k == key).map_or("", |(_, value)| value.as_str());
+    let not_sought = |kind: &str| used(&format!("spanning.{kind}")) == "false";
+    let why = match (report.points, report.clutter) {
+        (points, clutter) if clutter > points => {
+            format!(
+                "{} lie on no surface (--set surface.clutter=keep takes them in)",
+                plural(clutter, "point")
+            )
+        }
+        (points, _) if points < FEW_POINTS => {
+            format!("{} are too few: the least feature needs some ten along it", plural(points, "point"))
+        }
+        _ if not_sought("creases") => {
+            "creases were not looked for (spanning.creases), and no border was found".into()
+        }
+        _ if not_sought("borders") => {
+            "borders were not looked for (spanning.borders), and no crease was found".into()
+        }
+        _ => format!(
+            "the surface ends nowhere, and is folded nowhere by some {} degrees (penalty.fold_deg) within two spacings",
+            used("penalty.fold_deg")
+        ),
+    };
+    Some(format!("no line: {why}"))
 }
 
 /// What makes it doubtful that the points are those that were meant.
@@ -52,6 +88,13 @@ pub fn points(input: &Input, report: &Report) -> String {
 /// How many points were read, how many of them are not finite, and how many repeat another one.
 pub fn read(input: &Input, counts: [usize; 3]) -> String {
     let [read, dropped, merged] = counts.map(grouped);
+    if let Some((faces, spacing)) = input.sampled {
+        let [faces, spacing] = [grouped(faces), figure(spacing)];
+        return format!(
+            "{}: {read} points sampled over {faces} faces, {spacing} apart (--samples for others, --vertices for the vertices alone)",
+            input.name
+        );
+    }
     format!("{}: {read} points read, {dropped} not finite, {merged} duplicates", input.name)
 }
 

@@ -74,8 +74,7 @@ impl Work<'_> {
 
     /// Reads an input.
     pub fn load(&self, origin: &Origin, options: &ReadOptions) -> Result<Input, Failure> {
-        let options = ReadOptions { every: self.args.every, ..options.clone() };
-        origin.load(&self.args.source.reading, &options)
+        progress::named("read", self.args.running.quiet, || origin.load(&self.args.source.reading, options))
     }
 
     /// Extracts the lines of an input.

@@ -7,7 +7,7 @@ use crate::frame::Frame;
 use crate::measure::{Class, Measure};
 use crate::method::{self, ClusterStages};
 use crate::neighbors::Neighbors;
-use crate::network::Network;
+use crate::network::{Network, Strip};
 use crate::params::{Method, Params};
 use crate::patch::{NO_PATCH, Patches};
 use crate::pattern::Pattern;
@@ -74,6 +74,7 @@ fn pipeline(
     let mut report = cloud.report();
     report.stages = clock.stages;
     report.settings = method::settings(&cloud, params);
+    report.used = method::used(&cloud, params);
     report.notes.extend(method::notes(&cloud, clusters.as_ref(), params));
     let Prepared { frame, source, canonical, clutter, .. } = cloud;
     let (network, stay) = to_world(network, &frame, &source);
@@ -121,6 +122,13 @@ pub struct Extraction {
 }
 
 impl Extraction {
+    /// Leaves only the strips that `keep` says, with the nodes that they have; those of less strips than before become of another
+    /// kind. The classes of points stay.
+    pub fn choose(&mut self, keep: impl Fn(&Strip) -> bool) {
+        let stay = self.network.choose(keep);
+        self.patches = self.patches.take().map(|patches| patches.of_strips(&stay));
+    }
+
     /// `(N)` class of every point of the input, in its order; dropped points are smooth.
     pub fn classes(&self) -> Vec<Class> {
         let of = |&c: &u32| self.class.get(c as usize).copied().unwrap_or_default();

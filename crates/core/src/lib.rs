@@ -87,6 +87,7 @@ mod frame;
 mod link;
 pub mod math;
 mod measure;
+pub mod mesh;
 mod method;
 pub mod neighbors;
 mod network;

@@ -1,6 +1,7 @@
 //! The choice of method: the detector and the linker of each, with their settings and notes. Only this file names methods.
 
 mod segments;
+mod used;
 
 pub use segments::ClusterStages;
 
@@ -80,6 +81,11 @@ pub(crate) fn settings(cloud: &Prepared, params: &Params) -> Vec<(String, String
         ("penalty.alpha".into(), format!("{:.3}", derived.alpha)),
         ("spanning.rho".into(), format!("{rho:.1} {unit}")),
     ]
+}
+
+/// Every parameter that the method reads, with the value it had.
+pub(crate) fn used(cloud: &Prepared, params: &Params) -> Vec<(String, String)> {
+    used::used(cloud, params)
 }
 
 /// Notes for the user on the result.

@@ -64,6 +64,31 @@ impl NodeKind {
 }
 
 impl Network {
+    /// Leaves only the strips that `keep` says, and the nodes that they have; the kind of a node follows from those left. `(S)`
+    /// whether each strip stays.
+    pub fn choose(&mut self, keep: impl Fn(&Strip) -> bool) -> Vec<bool> {
+        let stay: Vec<bool> = self.strips.iter().map(keep).collect();
+        let mut next = stay.iter();
+        self.strips.retain(|_| next.next().is_some_and(|&s| s));
+        let mut degree = vec![0u32; self.nodes.len()];
+        let ends = |strip: &Strip| [strip.start, strip.end].into_iter().flatten();
+        self.strips.iter().flat_map(ends).for_each(|n| degree[n as usize] += 1);
+        let mut number = vec![0; self.nodes.len()];
+        let mut kept = Vec::new();
+        for (i, node) in
+            self.nodes.drain(..).enumerate().filter(|(i, node)| degree[*i] > 0 || node.degree == 0)
+        {
+            number[i] = kept.len() as u32;
+            let kind = if degree[i] == node.degree { node.kind } else { NodeKind::of_degree(degree[i]) };
+            kept.push(Node { kind, degree: degree[i], ..node });
+        }
+        self.nodes = kept;
+        for end in self.strips.iter_mut().flat_map(|s| [&mut s.start, &mut s.end]) {
+            *end = end.map(|n| number[n as usize]);
+        }
+        stay
+    }
+
     /// The number of closed strips.
     pub fn loops(&self) -> usize {
         self.strips.iter().filter(|s| s.closed).count()

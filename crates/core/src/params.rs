@@ -12,7 +12,7 @@ pub(crate) use value::choices;
 pub use value::{Auto, ParamValue};
 
 use crate::Error;
-use section::{Axis, Outline, Planes, Side};
+use section::{Axis, Outline, Planes, Side, Zero};
 use table::sections;
 use value::ABOVE_0;
 
@@ -163,6 +163,9 @@ sections! {
         /// adaptive, so many parts at first, split where neighbours differ and merged where they are alike, up to the most
         /// (eight times as many unless told). Steps and positions are in the unit of the input.
         planes: Planes = Planes::Count(10), "", 0.0..=0.0;
+        /// The place that given positions of slices are counted from: `origin`, that of the input; `lowest`, the lowest point along
+        /// the axis; `floor`, the lowest large face across it.
+        from: Zero = Zero::Origin, "", 0.0..=0.0;
         /// Thickness of a slab; auto: `reach_spacings` to either side.
         thickness: Auto<f64> = Auto::Auto, "unit of the input", ABOVE_0;
         /// Points that lie on no surface: leaves, stray returns and veils between surfaces. `leave-out`, as auto, has no contour follow

@@ -88,7 +88,7 @@ pub(crate) fn prepare(world: &Cloud, params: &Params, clock: &mut Clock) -> Resu
 }
 
 /// Whether the stage `surface` runs: in the robust forms by default, but not in the forms as printed, which take every point.
-fn cleaned(params: &Params) -> bool {
+pub(crate) fn cleaned(params: &Params) -> bool {
     let printed = match params.method {
         Method::Penalty => params.penalty.form == PenaltyForm::Paper,
         Method::Segments => params.segments.form == SegmentForm::Paper,
@@ -118,8 +118,11 @@ impl Joined {
         let graph = riemannian::graph(positions, &nearest);
         let resolution = Resolution::estimate(positions, &nearest, &graph);
         let resolution = match params.penalty.noise_spacings {
-            Auto::Given(ratio) => Resolution { noise: ratio * resolution.spacing, ..resolution },
-            Auto::Auto => resolution,
+            // The ratio that was estimated keeps every bit of the noise.
+            Auto::Given(ratio) if ratio != resolution.noise / resolution.spacing => {
+                Resolution { noise: ratio * resolution.spacing, ..resolution }
+            }
+            _ => resolution,
         };
         Joined { nearest, graph, resolution }
     }
@@ -161,6 +164,11 @@ fn take_out(
 }
 
 impl Prepared {
+    /// Whether the stage `surface` left points out.
+    pub(crate) fn is_part(&self) -> bool {
+        self.positions.len() + self.merged + self.dropped < self.canonical.len()
+    }
+
     /// Spacing and noise at every point.
     pub(crate) fn scales(&self) -> Scales<'_> {
         Scales::new(self.resolution, &self.spacing)

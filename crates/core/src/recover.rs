@@ -6,6 +6,7 @@ mod tidy;
 mod verify;
 mod world;
 
+pub(crate) use spline::span_spacings;
 pub use verify::take_back;
 pub use world::to_world;
 

@@ -24,6 +24,8 @@ pub struct Report {
     pub stages: Vec<(Stage, f64)>,
     /// The values of parameters derived from the data.
     pub settings: Vec<(String, String)>,
+    /// Every parameter that the method reads, by key with the value it had, in the form that `Params::set` reads.
+    pub used: Vec<(String, String)>,
     /// Notes for the user on the result.
     pub notes: Vec<String>,
 }

@@ -23,7 +23,7 @@ use crate::params::Clutter;
 use crate::surface::clutter;
 
 pub use crate::params::SectionParams;
-pub use crate::params::section::{Axis, Outline, Planes, Side};
+pub use crate::params::section::{Axis, Outline, Planes, Side, Zero};
 pub use frame::SliceFrame;
 pub use result::{Contour, CurvePiece, CurveShape, Missing, Section, Sections};
 pub use stack::{Feature, Mirror, Repeat, Run, Stack, stack};

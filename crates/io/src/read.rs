@@ -6,6 +6,7 @@ mod gltf;
 mod join;
 pub(crate) mod las;
 mod limit;
+mod mesh;
 mod npy;
 mod npz;
 mod obj;
@@ -26,6 +27,7 @@ use crate::error::{Error, printable};
 use crate::format::Format;
 use crate::source::Source;
 use lineament::Cloud;
+use lineament::mesh::{Faces, MeshPoints};
 use std::fmt;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -56,6 +58,8 @@ pub struct ReadOptions {
     pub bounds: Option<[[f64; 3]; 2]>,
     /// Take the input for this format, whatever it looks like.
     pub format: Option<Format>,
+    /// The points to take of a mesh; `None` takes its vertices and does not read the faces.
+    pub mesh: Option<MeshPoints>,
 }
 
 /// Returns of a pulse, by their number and the number of all.
@@ -83,6 +87,7 @@ impl Default for ReadOptions {
             voxel: None,
             bounds: None,
             format: None,
+            mesh: None,
         }
     }
 }
@@ -90,8 +95,11 @@ impl Default for ReadOptions {
 /// The content of an input.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scan {
-    /// The points in the order and the unit of the input; non-finite rows are in it.
+    /// The points in the order and the unit of the input; non-finite rows are in it. Of a mesh, with `ReadOptions::mesh`, points on
+    /// its faces.
     pub cloud: Cloud,
+    /// Faces of a mesh that points were sampled on, and the spacing of these points.
+    pub sampled: Option<(usize, f64)>,
     /// The format that was recognised.
     pub format: Format,
     /// The name of the input, as in messages.
@@ -138,6 +146,9 @@ impl fmt::Display for Missing {
 #[derive(Default)]
 pub(crate) struct Decoded {
     pub cloud: Cloud,
+    /// Faces between the points, which may name some that there are not, and how many more could not be read.
+    pub faces: Faces,
+    pub odd_faces: u64,
     pub ignored: Vec<String>,
     pub warnings: Vec<String>,
     pub beside: Vec<PathBuf>,
@@ -231,7 +242,8 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         Format::Gltf => gltf::read(&mut source, options)?,
     };
     source.drain()?;
-    let Decoded { mut cloud, ignored, warnings, beside, missing, crs, epsg, las } = decoded;
+    let (decoded, sampled) = mesh::sampled(decoded, options);
+    let Decoded { mut cloud, ignored, warnings, beside, missing, crs, epsg, las, .. } = decoded;
     let shown = |all: Vec<String>| -> Vec<String> { all.iter().map(|what| printable(what)).collect() };
     let (mut ignored, mut warnings) = (shown(ignored), shown(warnings));
     select::select(&name, &mut cloud, options, &mut ignored, &mut warnings)?;
@@ -240,5 +252,19 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
     }
     warnings.extend(steps::warnings(&cloud));
     let (sha256, bytes) = (source.sha256(), source.offset());
-    Ok(Scan { cloud, format, name, ignored, warnings, beside, missing, crs, epsg, las, sha256, bytes })
+    Ok(Scan {
+        cloud,
+        sampled,
+        format,
+        name,
+        ignored,
+        warnings,
+        beside,
+        missing,
+        crs,
+        epsg,
+        las,
+        sha256,
+        bytes,
+    })
 }

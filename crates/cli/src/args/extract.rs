@@ -38,6 +38,12 @@ pub struct Extract {
     /// [default: NAME.lines.json and NAME.lines.obj beside the input]
     #[arg(short, long, value_name = "OUT", value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
+    /// Leave out lines shorter than this, in the unit of the input
+    #[arg(long, help_heading = "Choosing lines", value_name = "LENGTH", value_parser = parse::length)]
+    pub min_length: Option<f64>,
+    /// Leave out lines less certain than this, from 0 to 1
+    #[arg(long, help_heading = "Choosing lines", value_name = "SHARE", value_parser = parse::share)]
+    pub min_confidence: Option<f64>,
     /// Viewpoint of drawings (SVG): auto, top, bottom, front, back, left, right, iso, or X,Y,Z
     #[arg(long, default_value = "auto", allow_hyphen_values = true)]
     pub view: String,

@@ -3,7 +3,6 @@
 use clap::Args;
 
 use super::groups::Source;
-use super::parse;
 
 /// The head of the long help.
 pub const ABOUT: &str = "\
@@ -18,7 +17,4 @@ Everything goes to standard output; no file is written.";
 pub struct Info {
     #[command(flatten)]
     pub source: Source,
-    /// Read only every N-th point
-    #[arg(long, help_heading = "Reading", value_name = "N", conflicts_with = "sample", value_parser = parse::count)]
-    pub every: Option<usize>,
 }

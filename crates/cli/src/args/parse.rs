@@ -1,6 +1,7 @@
 //! Values of options that need parsing.
 
 use lineament::detect::baselines::Detector;
+use lineament::mesh::MOST_SAMPLES;
 use lineament::params::ParamValue;
 use lineament_io::{Format, Returns};
 
@@ -36,10 +37,22 @@ pub fn count(text: &str) -> Result<usize, String> {
     text.parse().ok().filter(|&n| n > 0).ok_or_else(|| "a whole number from 1 on was expected".into())
 }
 
+/// A number of points on a mesh.
+pub fn samples(text: &str) -> Result<usize, String> {
+    let count = text.parse().ok().filter(|n| (1..=MOST_SAMPLES).contains(n));
+    count.ok_or_else(|| format!("a whole number from 1 to {MOST_SAMPLES} was expected"))
+}
+
 /// A number above 0.
 pub fn length(text: &str) -> Result<f64, String> {
     let length = text.parse().ok().filter(|&x: &f64| x > 0.0 && x.is_finite());
     length.ok_or_else(|| "a number above 0 was expected".into())
+}
+
+/// A number from 0 to 1.
+pub fn share(text: &str) -> Result<f64, String> {
+    let share = text.parse().ok().filter(|x| (0.0..=1.0).contains(x));
+    share.ok_or_else(|| "a number from 0 to 1 was expected".into())
 }
 
 /// The name or an extension of a format of scans.

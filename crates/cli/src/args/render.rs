@@ -34,8 +34,8 @@ pub struct Render {
     /// Viewpoint: auto, top, bottom, front, back, left, right, iso, or X,Y,Z, a direction towards the eye
     #[arg(long, default_value = "auto", allow_hyphen_values = true)]
     pub view: String,
-    /// Axis that points up in the picture: x, y or z
-    #[arg(long, default_value = "z", value_parser = ["x", "y", "z"])]
+    /// Axis that points up in the picture: x, y, z or auto, which is y for glTF, as that format has it, and z for all others
+    #[arg(long, default_value = "auto", value_parser = ["auto", "x", "y", "z"])]
     pub up: String,
     /// Width and height of the picture in pixels
     #[arg(long, value_name = "WxH", default_value = "1600x1200", value_parser = parse::size)]

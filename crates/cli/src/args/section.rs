@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum, ValueHint};
 use lineament::params::{Auto, ParamValue};
-use lineament::section::{Axis, Planes, SectionParams};
+use lineament::section::{Axis, Planes, SectionParams, Zero};
 
 use super::groups::{Running, Settings, Source};
 use super::parse;
@@ -35,9 +35,9 @@ Parameters:
   [section]; --params reads them from a file.
 
 More examples:
-  lineament section scan.ply -o plan.svg -o plan.json --at=1.2      a floor plan at one height
+  lineament section scan.ply -o plan.svg --at=1.2 --from floor      a floor plan, 1.2 above the floor
   lineament section part.ply -o part.svg --adaptive 16              few slices where nothing changes
-  lineament section part.ply -o part.json --axis 1,0,1 --every 2.5 --outline voronoi";
+  lineament section part.ply -o part.json --axis 1,0,1 --step 2.5 --outline voronoi";
 
 /// The foot of the help.
 fn help() -> String {
@@ -52,16 +52,21 @@ pub struct Section {
     pub source: Source,
     /// File to write the sections to, in the format of its extension; may be given several times. A folder gets
     /// NAME.sections.json and NAME.sections.dxf, `{stem}` stands for the name of the input, `-` is JSON on standard output
-    #[arg(short, long, value_name = "OUT", required = true, value_hint = ValueHint::FilePath)]
+    #[arg(short, long, help_heading = "Output", value_name = "OUT", required_unless_present = "sample")]
+    #[arg(value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
     #[command(flatten)]
     pub slicing: Slicing,
+    /// Millimetres of a drawing (SVG) for one unit of the input [default: fit 200 mm]
+    #[arg(long, help_heading = "Output", value_name = "MM", value_parser = parse::length)]
+    pub millimetres: Option<f64>,
     #[command(flatten)]
     pub running: Running,
 }
 
 /// Where to cut and how to draw: shorthands for parameters under `section.`, which go over a file and under --set.
 #[derive(Clone, Debug, Args)]
+#[command(next_help_heading = "Slices")]
 pub struct Slicing {
     /// Across the slices: x, y, z, a vector X,Y,Z, `auto` (the axis that most of the surface stands along, lies across or is
     /// turned about; of several the one along which sections change least often, then the longest), `long` (the longest
@@ -69,8 +74,8 @@ pub struct Slicing {
     #[arg(long, value_parser = parse::parameter::<Axis>, allow_hyphen_values = true)]
     pub axis: Option<Axis>,
     /// Distance between slices, in the unit of the input
-    #[arg(long, value_name = "S", group = "planes")]
-    pub every: Option<f64>,
+    #[arg(long, value_name = "LENGTH", group = "planes")]
+    pub step: Option<f64>,
     /// Number of slices, evenly through the whole scan, at most 100000 [default: 10]
     #[arg(long, value_name = "N", group = "planes")]
     pub count: Option<usize>,
@@ -83,6 +88,10 @@ pub struct Slicing {
         allow_hyphen_values = true
     )]
     pub at: Option<Vec<f64>>,
+    /// Place that the positions of --at are counted from: the origin of the input, its lowest point along the axis, or the floor, which is
+    /// the lowest large face across it [default: origin]
+    #[arg(long, value_name = "origin|lowest|floor", value_parser = parse::parameter::<Zero>)]
+    pub from: Option<Zero>,
     /// Start with this many slices, split them where neighbours differ and merge them where they are alike
     #[arg(long, value_name = "N", group = "planes")]
     pub adaptive: Option<usize>,
@@ -138,13 +147,14 @@ impl Slicing {
     /// Sets the parameters that these arguments name.
     pub fn set(&self, params: &mut SectionParams) {
         let planes = [
-            self.every.map(Planes::Every),
+            self.step.map(Planes::Every),
             self.count.map(Planes::Count),
             self.at.clone().map(Planes::At),
             self.adaptive.map(Planes::adaptive),
         ];
         put(&mut params.axis, self.axis);
         put(&mut params.planes, planes.into_iter().flatten().next());
+        put(&mut params.from, self.from);
         put(&mut params.thickness, self.thickness);
         put(&mut params.carry, self.no_carry.then_some(false));
         put(&mut params.outline, self.outline.and_then(named));

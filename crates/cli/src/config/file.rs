@@ -1,8 +1,9 @@
-//! Parameter files: TOML tables, flattened to dotted keys.
+//! Parameter files: TOML tables, flattened to dotted keys, or the `parameters` of a JSON file that `extract` wrote.
 
 use std::path::Path;
 
 use lineament::params::Params;
+use serde_json::Value;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -16,12 +17,29 @@ pub fn read(path: &Path, params: &mut Params) -> Result<(), Failure> {
     let name = path.display();
     let text = std::fs::read_to_string(path)
         .map_err(|e| Failure::new(Code::Input, format!("{name}: cannot read the parameter file: {e}")))?;
+    if text.trim_start().starts_with('{') {
+        return from_json(&text, params).map_err(|e| e.at(name));
+    }
     let table = DeTable::parse(&text).map_err(|e| {
         let line = e.span().map_or(1, |span| line_of(&text, span.start));
         Failure::new(Code::Input, format!("{name}:{line}: not TOML: {}", e.message()))
             .advise("`lineament params` prints a valid file to start from")
     })?;
     set_table(&text, "", table.get_ref(), params).map_err(|(line, e)| e.at(format!("{name}:{line}")))
+}
+
+/// Sets every parameter of the object `parameters`.
+fn from_json(text: &str, params: &mut Params) -> Result<(), Failure> {
+    let fail = |what: String| {
+        Failure::new(Code::Input, what).advise("give a TOML file, or the JSON that `lineament extract` wrote")
+    };
+    let root: Value = serde_json::from_str(text).map_err(|e| fail(format!("not JSON: {e}")))?;
+    let entries = root["parameters"].as_object().ok_or_else(|| fail("no object `parameters`".into()))?;
+    for (key, value) in entries {
+        let plain = value.as_str().map_or_else(|| value.to_string(), String::from);
+        super::set(params, key, &plain)?;
+    }
+    Ok(())
 }
 
 /// The one-based line of a byte offset.

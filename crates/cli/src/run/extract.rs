@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+use lineament::Extraction;
 use lineament::apply::render::View;
 use lineament_io::{NetworkContext, NetworkFormat, ReadOptions, network_format, write_network};
 
@@ -47,7 +48,8 @@ fn one(
     let start = Instant::now();
     let hash = outputs.iter().any(|path| matches!(network_format(path), Ok(NetworkFormat::Json)));
     let input = work.load(origin, &ReadOptions { attributes: false, hash, ..Default::default() })?;
-    let found = work.extract(origin, &input)?;
+    let mut found = work.extract(origin, &input)?;
+    let left_out = choose(args, &mut found);
     let context =
         NetworkContext { view, millimetres: args.millimetres, ..context(&input, &work.params, &found) };
     let writing = Instant::now();
@@ -57,8 +59,22 @@ fn one(
     let staged = stages::write(work, args.stages.as_deref(), origin, &input.cloud, &found)?;
     let [wrote, total] = [writing, start].map(|t| t.elapsed().as_secs_f64());
     let mut lines = summary::of(&input, &found, work.args.running.verbose);
+    lines.extend(left_out);
     lines.extend(summary::unplaced(&input, outputs));
     lines.push(summary::times(&input, &found.report, wrote, total));
     lines.push(summary::written(&[outputs, &staged].concat()));
     Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), total) })
+}
+
+/// Leaves out the lines that are not asked for; says how many.
+fn choose(args: &Extract, found: &mut Extraction) -> Option<String> {
+    let before = found.network.strips.len();
+    let (length, confidence) = (args.min_length.unwrap_or(0.0), args.min_confidence.unwrap_or(0.0));
+    if args.min_length.or(args.min_confidence).is_some() {
+        found.choose(|strip| strip.length() >= length && strip.confidence >= confidence);
+    }
+    let left = before - found.network.strips.len();
+    (left > 0).then(|| {
+        format!("{} of {before} left out: too short or too uncertain", summary::plural(left, "line"))
+    })
 }

@@ -38,8 +38,7 @@ pub fn run(args: &Info) -> Result<(), Failure> {
 }
 
 fn described(origin: &Origin, args: &Info) -> Result<String, Failure> {
-    let input =
-        origin.load(&args.source.reading, &ReadOptions { every: args.every, ..Default::default() })?;
+    let input = origin.load(&args.source.reading, &ReadOptions::default())?;
     let mut text = String::new();
     file_lines(&mut text, &input);
     cloud_lines(&mut text, &input.cloud).map_err(|e| e.at(origin.shown()))?;

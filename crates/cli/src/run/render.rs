@@ -13,7 +13,7 @@ use crate::batch::Done;
 use crate::failure::{Code, Failure};
 use crate::source::{self, Input, Origin};
 use crate::work::{self, Work};
-use crate::{network_file, outputs, summary};
+use crate::{network_file, outputs, progress, summary};
 
 /// Suffixes of the files that a folder gets.
 const SUFFIXES: [&str; 1] = ["png"];
@@ -25,17 +25,17 @@ pub fn run(args: &Render) -> Result<(), Failure> {
     }
     let settings = settings(args)?;
     let work = work::prepare(&args.work, std::slice::from_ref(&args.output), &SUFFIXES, png_only)?;
-    work.each(|origin, outputs| one(&work, origin, outputs, &args.network, &settings))
+    work.each(|origin, outputs| one(&work, origin, outputs, args, &settings))
 }
 
 fn one(
     work: &Work,
     origin: &Origin,
     outputs: &[PathBuf],
-    network: &Path,
+    args: &Render,
     settings: &Settings,
 ) -> Result<Done, Failure> {
-    let start = Instant::now();
+    let (start, network) = (Instant::now(), &args.network);
     let input = work.load(origin, &io::ReadOptions { attributes: false, ..Default::default() })?;
     let mut inputs = work.inputs_with(&input);
     let mut said = Vec::new();
@@ -48,10 +48,11 @@ fn one(
         }
     };
     let (surfels, spacing) = surfels(&input.cloud).map_err(|e| Failure::from(e).at(origin.shown()))?;
+    let settings = &Settings { up: up(&args.up, &input), ..settings.clone() };
     let scene = Scene { surfels: &surfels, network: network.as_ref(), spacing };
     // All else of the settings was checked before.
-    let picture =
-        render(&scene, settings).map_err(|e| Failure { advice: None, ..e.into() }.at(origin.shown()))?;
+    let drawn = progress::named("draw", work.args.running.quiet, || render(&scene, settings));
+    let picture = drawn.map_err(|e| Failure { advice: None, ..e.into() }.at(origin.shown()))?;
     outputs.iter().try_for_each(|path| write(path, &inputs, &picture))?;
     said.push(summary::written(outputs));
     let seconds = start.elapsed().as_secs_f64();
@@ -68,18 +69,24 @@ fn computed(work: &Work, origin: &Origin, input: &Input, said: &mut Vec<String>)
 fn settings(args: &Render) -> Result<Settings, Failure> {
     let usage = |e: lineament::Error| Failure { code: Code::Usage, advice: None, ..Failure::from(e) };
     let view = View::parse(&args.view).map_err(usage)?;
-    let up = match args.up.as_str() {
-        "x" => [1.0, 0.0, 0.0],
-        "y" => [0.0, 1.0, 0.0],
-        _ => [0.0, 0.0, 1.0],
-    };
     let (width, height) = args.size;
-    let settings = Settings { view, up, width, height, caption: !args.no_caption };
+    let settings = Settings { view, width, height, caption: !args.no_caption, ..Settings::default() };
     settings.check().map_err(usage)?;
     Ok(settings)
 }
 
 /// Accepts `-` and names that end in `.png`.
+/// The axis of that name; without one that of the format of the input.
+fn up(name: &str, input: &Input) -> [f64; 3] {
+    let y_up = |(format, _): &(String, u64)| ["glTF", "GLB"].contains(&format.as_str());
+    match name {
+        "x" => [1.0, 0.0, 0.0],
+        "y" => [0.0, 1.0, 0.0],
+        "auto" if input.format.as_ref().is_some_and(y_up) => [0.0, 1.0, 0.0],
+        _ => [0.0, 0.0, 1.0],
+    }
+}
+
 fn png_only(path: &Path) -> Result<(), Failure> {
     let is_png = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("png"));
     if is_png || path.as_os_str() == "-" {

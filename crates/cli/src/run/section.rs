@@ -4,12 +4,12 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use lineament::section::SectionParams;
-use lineament_io::{SectionContext, SectionFormat, section_format, write_sections};
+use lineament_io::{LasFrame, SectionContext, SectionFormat, section_format, write_sections};
 
 use super::slicing::{HEADER, cut, row, said};
 use crate::args::Section;
 use crate::batch::{self, Done};
-use crate::failure::Failure;
+use crate::failure::{Code, Failure};
 use crate::source::{self, Origin};
 use crate::{config, outputs, summary};
 
@@ -20,6 +20,10 @@ const SUFFIXES: [&str; 2] = ["sections.json", "sections.dxf"];
 pub fn run(args: &Section) -> Result<(), Failure> {
     if source::is_list(&args.source) {
         return source::print_list();
+    }
+    if args.output.is_empty() {
+        let failure = Failure::new(Code::Usage, "section: there is no default output");
+        return Err(failure.advise("name at least one with -o, such as `-o sections.dxf`"));
     }
     config::threads(&args.running)?;
     let params = config::section(&args.slicing)?;
@@ -46,6 +50,8 @@ fn one(
         input_sha256: input.sha256.clone(),
         input_points: input.cloud.len() as u64,
         crs: input.reference(),
+        crs_wkt: input.las.as_ref().and_then(LasFrame::wkt),
+        millimetres: args.millimetres,
         stack,
     };
     for path in outputs {

@@ -40,7 +40,7 @@ fn pictures(
     outputs::make(folder)?;
     for plane in 0..sections.sections.len() {
         let path = folder.join(format!("slice_{plane:04}.svg"));
-        outputs::write(&path, || write_slice_picture(&path, inputs, &sections, plane))?;
+        outputs::write(&path, || write_slice_picture(&path, inputs, &sections, plane, args.millimetres))?;
     }
     let mut lines = said(&args.running, &input, &sections, &Stack::default());
     let count = summary::plural(sections.sections.len(), "picture");

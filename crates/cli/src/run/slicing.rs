@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use lineament::section::{Feature, SectionParams, Sections, Stack};
+use lineament::section::{Feature, SectionParams, Sections, Stack, Zero};
 use lineament_io::ReadOptions;
 
 use crate::args::{Running, Source};
@@ -20,8 +20,8 @@ pub fn cut(
     hash: bool,
     quiet: bool,
 ) -> Result<(Input, Sections, Stack), Failure> {
-    let input =
-        origin.load(&source.reading, &ReadOptions { attributes: false, hash, ..Default::default() })?;
+    let options = ReadOptions { attributes: false, hash, ..Default::default() };
+    let input = progress::named("read", quiet, || origin.load(&source.reading, &options))?;
     let found = progress::sectioned(&input.cloud, params, quiet);
     let (sections, stack) = found.map_err(|e| Failure::from(e).at(origin.shown()))?;
     Ok((input, sections, stack))
@@ -46,6 +46,7 @@ pub fn said(running: &Running, input: &Input, sections: &Sections, stack: &Stack
     }
     lines.push(format!("spacing {spacing}, noise {:.2} spacings", sections.noise));
     lines.extend(summary::warnings(input));
+    lines.extend(counted_from(sections));
     let slices = summary::plural(sections.sections.len(), "slice");
     let contours = summary::plural(sections.contours().count(), "contour");
     lines.push(format!("{slices}, {contours}, {} closed", summary::grouped(closed(sections))));
@@ -61,6 +62,17 @@ pub fn said(running: &Running, input: &Input, sections: &Sections, stack: &Stack
         format!("{}{hole}{round} from {from} to {to}: {} slices", run.feature.name(), run.contours.len())
     }));
     lines
+}
+
+/// The place that positions were counted from, where that is not the origin.
+fn counted_from(sections: &Sections) -> Option<String> {
+    let (zero, place) = sections.zero;
+    let what = match zero {
+        Zero::Origin => return None,
+        Zero::Lowest => "lowest point",
+        Zero::Floor => "floor",
+    };
+    Some(format!("positions count from the {what} at {}", summary::figure(place)))
 }
 
 /// The radius of a round feature, or the least and the greatest.

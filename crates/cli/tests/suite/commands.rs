@@ -273,3 +273,63 @@ fn stages_writes_every_graph_of_the_method_segments_and_of_no_other() {
     assert_eq!(table["graphs"][4]["open_ends"], 0);
     assert!(sandbox.path("steps/segmentation.ply").exists());
 }
+
+#[test]
+fn parameters_that_were_used_give_the_same_bytes_again() {
+    let sandbox = Sandbox::new();
+    sandbox.write_points("cube.xyz", &cube());
+    for method in ["penalty", "projection", "segments"] {
+        for more in [&[][..], &["--set", "penalty.form=paper", "--set", "segments.form=paper"]] {
+            let first = [&["extract", "cube.xyz", "-o", "a.json", "--method", method], more].concat();
+            sandbox.run(&first).expect(0);
+            let parameters = json(&sandbox.path("a.json"))["parameters"].clone();
+            let parameters = parameters.as_object().unwrap();
+            assert!(parameters.values().all(|value| value != "auto"), "{parameters:?}");
+            assert_eq!(parameters["method"], method);
+            assert!(parameters["penalty.noise_spacings"].is_number());
+            sandbox.run(&["extract", "cube.xyz", "-o", "b.json", "--params", "a.json"]).expect(0);
+            assert!(sandbox.read("a.json") == sandbox.read("b.json"), "{first:?}");
+        }
+    }
+}
+
+#[test]
+fn lines_can_be_chosen_by_length_and_certainty() {
+    let sandbox = Sandbox::new();
+    sandbox.write_points("cube.xyz", &cube());
+    let count = |args: &[&str]| {
+        sandbox.run(&[&["extract", "cube.xyz", "-o", "a.json"], args].concat()).expect(0);
+        let root = json(&sandbox.path("a.json"));
+        ["strips", "nodes"].map(|list| root[list].as_array().unwrap().len())
+    };
+    let length = json(&{
+        count(&[]);
+        sandbox.path("a.json")
+    })["strips"][0]["length"]
+        .as_f64()
+        .unwrap();
+    assert_eq!(count(&[]), [12, 8]);
+    assert_eq!(count(&["--min-length", &format!("{}", 0.9 * length), "--min-confidence", "0"]), [12, 8]);
+    assert_eq!(count(&["--min-length", &format!("{}", 2.0 * length)]), [0, 0]);
+    assert_eq!(count(&["--min-confidence", "1"])[0], 0);
+    sandbox.run(&["extract", "cube.xyz", "--min-confidence", "2"]).expect(2);
+}
+
+#[test]
+fn a_mesh_is_sampled_and_the_summary_says_so() {
+    let sandbox = Sandbox::new();
+    let corner = |i: usize| [0, 1, 2].map(|a| if i >> a & 1 == 1 { [30, 20, 10][a] } else { 0 });
+    let vertices: String = (0..8).map(corner).map(|[x, y, z]| format!("v {x} {y} {z}\n")).collect();
+    let quads = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+    sandbox.write("box.obj", format!("{vertices}{quads}"));
+    let said = &["20,000 points sampled over 6 faces", "12 creases", "8 junctions"];
+    sandbox.run(&["extract", "box.obj", "-o", "a.json"]).expect(0).says(said);
+    sandbox
+        .run(&["extract", "box.obj", "-o", "b.json", "--samples", "3000"])
+        .expect(0)
+        .says(&["3,000 points sampled"]);
+    let none = sandbox.run(&["extract", "box.obj", "-o", "c.json", "--vertices"]).expect(0);
+    none.says(&["8 points read", "no line: 8 points are too few"]);
+    sandbox.run(&["extract", "box.obj", "--samples", "0"]).expect(2);
+    sandbox.run(&["extract", "box.obj", "--samples", "10", "--vertices"]).expect(2);
+}

@@ -14,11 +14,90 @@ fn sections_of_a_cube_are_closed_and_lie_where_they_were_asked_for() {
 }
 
 #[test]
-fn every_is_a_distance_for_sections() {
+fn a_step_is_a_distance_and_every_reads_every_nth_point_in_all_commands() {
     let sandbox = Sandbox::new();
-    sandbox.run(&["section", "--sample", "cube-15206", "--every", "0.3", "-o", "a.json"]).expect(0);
+    sandbox.run(&["section", "--sample", "cube-15206", "--step", "0.3", "-o", "a.json"]).expect(0);
     let strips = json(&sandbox.path("a.json"))["strips"].clone();
     assert!(strips.as_array().unwrap().len() >= 3);
+    sandbox.write_points("cube.xyz", &cube());
+    sandbox.run(&["section", "cube.xyz", "--every", "2", "-o", "b.json"]).expect(0);
+    sandbox.run(&["extract", "cube.xyz", "--every", "2", "-o", "c.json"]).expect(0);
+    let points = ["b.json", "c.json"].map(|name| json(&sandbox.path(name))["input"]["points"].clone());
+    assert_eq!(points, [193, 193]);
+}
+
+/// A gabled house, its ridge along x: walls to z 3 on a ground of 20 by 20, the ridge at z 5.
+fn house() -> Vec<[f64; 3]> {
+    let grid = |n: i32, step: f64| (0..=n).map(move |i| f64::from(i) * step);
+    let mut points = Vec::new();
+    for (x, y) in grid(100, 0.2).flat_map(|x| grid(100, 0.2).map(move |y| (x, y))) {
+        if !(5.0..=15.0).contains(&x) || !(7.0..=13.0).contains(&y) {
+            points.push([x, y, 100.0]);
+        }
+    }
+    for x in grid(50, 0.2).map(|x| x + 5.0) {
+        points.extend(grid(15, 0.2).flat_map(|z| [[x, 7.0, 100.0 + z], [x, 13.0, 100.0 + z]]));
+        points.extend(grid(15, 0.2).flat_map(|y| {
+            let z = 103.0 + 2.0 * y / 3.0;
+            [[x, 7.0 + y, z], [x, 13.0 - y, z]]
+        }));
+    }
+    points
+}
+
+#[test]
+fn positions_count_from_the_floor_where_that_is_asked_for() {
+    let sandbox = Sandbox::new();
+    let mut points = house();
+    // A stray return far below is no floor.
+    points.push([3.0, 3.0, 60.0]);
+    sandbox.write_points("house.xyz", &points);
+    for (from, zero) in [("origin", 0.0), ("lowest", 60.0), ("floor", 100.0)] {
+        let at = format!("--at={}", 101.2 - zero);
+        sandbox.run(&["section", "house.xyz", &at, "--from", from, "-o", "a.json"]).expect(0);
+        let root = json(&sandbox.path("a.json"));
+        assert_eq!(root["from"], from);
+        assert!((root["zero"].as_f64().unwrap() - zero).abs() < 0.05, "{}", root["zero"]);
+        assert!((root["planes"][0]["height"].as_f64().unwrap() - 101.2).abs() < 0.05);
+    }
+}
+
+#[test]
+fn the_ridge_is_drawn_above_the_eaves_and_to_scale() {
+    let sandbox = Sandbox::new();
+    sandbox.write_points("house.xyz", &house());
+    for axis in ["1,0,0", "-1,0,0"] {
+        let args = [
+            "section",
+            "house.xyz",
+            "--at=10",
+            "--millimetres",
+            "10",
+            "-o",
+            "a.svg",
+            "-o",
+            "a.json",
+            "-o",
+            "a.gpkg",
+        ];
+        let at = if axis == "1,0,0" { "--at=10" } else { "--at=-10" };
+        let args: Vec<&str> = args.iter().map(|&a| if a == "--at=10" { at } else { a }).collect();
+        sandbox.run(&[args.as_slice(), &[&format!("--axis={axis}")]].concat()).expect(0);
+        let up = json(&sandbox.path("a.json"))["axes"][1].clone();
+        assert_eq!([&up[0], &up[1], &up[2]].map(|x| x.as_f64().unwrap()), [0.0, 0.0, 1.0]);
+        let svg = sandbox.read_text("a.svg");
+        assert!(svg.contains("one unit of the input is 10.0 mm"), "{svg}");
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for path in svg.split("d=\"").skip(1).map(|rest| rest.split('"').next().unwrap()) {
+            for place in path.split(['M', 'L', 'Z']).filter(|place| !place.is_empty()) {
+                let y: f64 = place.split(' ').nth(1).unwrap().parse().unwrap();
+                (low, high) = (low.min(y), high.max(y));
+            }
+        }
+        // From the ground to the ridge: 5 m, y downwards.
+        assert!((high - low - 50.0).abs() < 3.0, "{low} {high}");
+        assert!(sandbox.read("a.gpkg").starts_with(b"SQLite format 3"));
+    }
 }
 
 #[test]
@@ -53,9 +132,10 @@ fn what_cannot_be_is_refused_with_its_exit_code() {
         (&["section", "a.xyz"], 2),
         (&["section", "a.xyz", "-o", "a.png"], 2),
         (&["section", "a.xyz", "-o", "a.json", "--axis", "w"], 2),
-        (&["section", "a.xyz", "-o", "a.json", "--every", "1", "--count", "3"], 2),
+        (&["section", "a.xyz", "-o", "a.json", "--step", "1", "--count", "3"], 2),
         (&["section", "absent.xyz", "-o", "a.json"], 3),
-        (&["section", "a.xyz", "-o", "a.json", "--every", "0"], 4),
+        (&["section", "a.xyz", "-o", "a.json", "--step", "0"], 4),
+        (&["section", "a.xyz", "-o", "a.json", "--every", "0.5"], 2),
         (&["section", "a.xyz", "-o", "absent/a.json"], 5),
     ];
     for (args, code) in cases {
@@ -81,7 +161,7 @@ fn options_are_shorthands_for_keys_of_the_table() {
         (&["--axis", "x"], &["axis=x"]),
         (&["--axis", "1,0,1"], &["axis=1,0,1"]),
         (&["--count", "3"], &["planes=count:3"]),
-        (&["--every", "0.3"], &["planes=every:0.3"]),
+        (&["--step", "0.3"], &["planes=step:0.3"]),
         (&["--at=0.1,-0.2"], &["planes=at:0.1,-0.2"]),
         (&["--adaptive", "3"], &["planes=adaptive:3"]),
         (&["--thickness", "0.02"], &["thickness=0.02"]),

@@ -23,6 +23,8 @@ mod choice;
 pub mod marks;
 pub mod scales;
 
+pub(crate) use choice::floor_spacings;
+
 use std::f64::consts::PI;
 
 use crate::params::ProjectionParams;

@@ -20,3 +20,4 @@ pub(crate) use as_printed::as_printed;
 pub(crate) use robust::robust;
 pub use segmentation::Segmentation;
 pub use segmented::Segmented;
+pub(crate) use segmented::angle;

@@ -36,6 +36,17 @@ pub enum Planes {
     },
 }
 
+/// The place on the axis that positions of slices are counted from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Zero {
+    /// The origin of the input.
+    Origin,
+    /// The lowest point.
+    Lowest,
+    /// The floor: the lowest large face across the axis.
+    Floor,
+}
+
 /// How feature points are taken from a band of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outline {
@@ -69,6 +80,7 @@ impl Planes {
 }
 
 choices! { Outline { Middle = "middle", Hull = "hull", Voronoi = "voronoi" } }
+choices! { Zero { Origin = "origin", Lowest = "lowest", Floor = "floor" } }
 choices! { Side { Middle = "mid", Outside = "out", Inside = "in" } }
 
 impl ParamValue for Axis {
@@ -118,7 +130,7 @@ impl ParamValue for Planes {
         let rest = rest.trim();
         match kind.trim() {
             "at" => numbers(rest).map(Planes::At),
-            "every" => rest.parse().ok().map(Planes::Every),
+            "step" | "every" => rest.parse().ok().map(Planes::Every),
             "count" => rest.parse().ok().map(Planes::Count),
             "adaptive" => match rest.split_once(',') {
                 Some((start, most)) => Some(Planes::Adaptive {
@@ -133,7 +145,7 @@ impl ParamValue for Planes {
     fn show(&self) -> String {
         match self {
             Planes::At(at) => format!("at:{}", joined(at)),
-            Planes::Every(step) => format!("every:{step:?}"),
+            Planes::Every(step) => format!("step:{step:?}"),
             Planes::Count(count) => format!("count:{count}"),
             Planes::Adaptive { start, most } => format!("adaptive:{start},{most}"),
         }
@@ -142,7 +154,7 @@ impl ParamValue for Planes {
         None
     }
     fn accepts(_: &std::ops::RangeInclusive<f64>) -> String {
-        "count:N, every:STEP, at:Z1,Z2,.. or adaptive:N,MOST, of at most 100000 slices".into()
+        "count:N, step:LENGTH, at:Z1,Z2,.. or adaptive:N,MOST, of at most 100000 slices".into()
     }
     fn fault(&self) -> Option<&'static str> {
         let count = |n: usize| match n {

@@ -11,10 +11,10 @@ use crate::surface::Scales;
 /// Greatest number of points for one span of a curve: enough to follow any cubic, even where the span is very long.
 const SPAN_POINTS: usize = 64;
 
-/// The span for the noise: the more noise, the more data for each control point.
-fn span(params: &SplineParams, resolution: Resolution) -> f64 {
+/// The span for the noise, in units of the resolution: the more noise, the more data for each control point.
+pub(crate) fn span_spacings(params: &SplineParams, resolution: Resolution) -> f64 {
     let ratio = resolution.noise / resolution.spacing;
-    params.span_spacings.or(|| 3.0 + 6.0 * ratio.min(1.0)) * resolution.unit()
+    params.span_spacings.or(|| 3.0 + 6.0 * ratio.min(1.0))
 }
 
 /// The strip along a path; `ends` are its nodes in the network.
@@ -37,7 +37,7 @@ pub(super) fn strip(
         positions[0] = network.nodes[start as usize].position;
         positions[last] = network.nodes[end as usize].position;
     }
-    let (span, smoothing) = (span(params, resolution), params.smoothing);
+    let (span, smoothing) = (span_spacings(params, resolution) * resolution.unit(), params.smoothing);
     let options = FitOptions { span, smoothing, closed: ends.is_none() };
     let (curve, parameters) = fit(&positions, options);
     let squares: f64 = positions.iter().zip(&parameters).map(|(&p, &t)| distance2(p, curve.point(t))).sum();

@@ -3,6 +3,9 @@
 use crate::math::vec3;
 use crate::params::section::Axis;
 
+/// Sine of the angle up to which slices are level, so that z does not tell where up is in them.
+const LEVEL: f64 = 1e-3;
+
 /// A right-handed frame whose third axis points across the slices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SliceFrame {
@@ -32,6 +35,18 @@ impl SliceFrame {
         }
     }
 
+    /// The same turned about its axis so that z points up in the plane: the second vector is z along the plane, or y where the slices
+    /// are level.
+    pub fn upright(&self) -> Self {
+        let w = self.axes[2];
+        let along = |up: [f64; 3]| vec3::add_scaled(up, w, -vec3::dot(up, w));
+        let z = along([0.0, 0.0, 1.0]);
+        let up = vec3::unit(if vec3::norm(z) > LEVEL { z } else { along([0.0, 1.0, 0.0]) });
+        // Zeros without a sign, so that files show none.
+        let right = vec3::cross(up, w).map(|x| x + 0.0);
+        Self { axes: [right, up.map(|x| x + 0.0), w] }
+    }
+
     /// Coordinates of a vector in this frame.
     pub fn coordinates(&self, p: [f64; 3]) -> [f64; 3] {
         self.axes.map(|axis| vec3::dot(axis, p))
@@ -47,6 +62,21 @@ impl SliceFrame {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn z_points_up_whatever_the_axis() {
+        let level = SliceFrame::along(Axis::Coordinate(2)).unwrap();
+        assert_eq!(level.upright(), level);
+        for axis in
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.64279, 0.76604, 0.0], [-1.0, 2.0, 0.5]]
+        {
+            let [u, v, w] = SliceFrame::along(Axis::Vector(axis)).unwrap().upright().axes;
+            assert!(vec3::distance(vec3::cross(u, v), w) < 1e-15);
+            assert!(v[2] > 0.5 && u[2].abs() < 1e-15, "{axis:?} {u:?} {v:?}");
+        }
+        let below = SliceFrame::along(Axis::Vector([0.0, 0.0, -3.0])).unwrap().upright();
+        assert_eq!(below.axes, [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]]);
+    }
 
     #[test]
     fn slice_frames_are_right_handed_and_keep_coordinates() {

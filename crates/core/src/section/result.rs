@@ -4,6 +4,7 @@ use super::curves::{self, Piece, Shape, nest};
 use super::frame::SliceFrame;
 use super::outline::Drawn;
 use crate::curve::{BSpline, polygon};
+use crate::params::section::Zero;
 
 /// Fewest points of a slab in which a curve is sought.
 pub(crate) const FEWEST_POINTS: usize = 4;
@@ -13,6 +14,8 @@ pub(crate) const FEWEST_POINTS: usize = 4;
 pub struct Sections {
     /// Directions of the slices in the world.
     pub frame: SliceFrame,
+    /// The place that positions were counted from, and where it lies along the axis, world unit. Without a floor it is the lowest point.
+    pub zero: (Zero, f64),
     /// Position of each plane along the axis, world unit, in the order asked for.
     pub heights: Vec<f64>,
     /// Median spacing of the cloud, world unit.

@@ -3,6 +3,7 @@
 pub(crate) mod adaptive;
 pub(crate) mod axis;
 pub(crate) mod direction;
+mod level;
 pub(crate) mod planes;
 pub(crate) mod slabs;
 pub(crate) mod slicer;

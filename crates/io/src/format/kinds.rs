@@ -132,8 +132,10 @@ pub enum SectionFormat {
     Ply,
     /// Lines, arcs, circles and polylines, release 12, a layer for each slice; names of the runs as texts.
     Dxf,
-    /// A sheet with all slices side by side.
+    /// A sheet with all slices side by side, in millimetres.
     Svg,
     /// Polygons with their holes, and lines.
     GeoJson,
+    /// The same as a database of two layers.
+    GeoPackage,
 }

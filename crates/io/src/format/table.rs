@@ -59,7 +59,7 @@ pub const FORMATS: &[FileFormat] = &[
     },
     FileFormat {
         network: Some((NetworkFormat::Svg, "a drawing in millimetres, seen from --view")),
-        section: Some((SectionFormat::Svg, "a sheet with all slices")),
+        section: Some((SectionFormat::Svg, "a sheet with all slices, in millimetres")),
         ..named("SVG", &["svg"])
     },
     FileFormat {
@@ -75,6 +75,7 @@ pub const FORMATS: &[FileFormat] = &[
             NetworkFormat::GeoPackage,
             "GeoPackage, layers of lines and nodes with their properties",
         )),
+        section: Some((SectionFormat::GeoPackage, "GeoPackage, layers of areas and open lines")),
         ..named("GeoPackage", &["gpkg"])
     },
     FileFormat { read: Some(Format::Gltf), ..named("glTF", &["gltf"]) },

@@ -1,9 +1,11 @@
-//! glTF 2.0 (Khronos), binary (GLB) or JSON: the vertices of every mesh of the scene, moved by the nodes that hold it.
+//! glTF 2.0 (Khronos), binary (GLB) or JSON: the vertices of every mesh of the scene, moved by the nodes that hold it, and its
+//! triangles where they are asked for.
 //! Coordinates stay in the format's frame, in which y points up.
 
 mod accessor;
 mod buffers;
 mod document;
+mod faces;
 mod transform;
 
 use super::{Decoded, ReadOptions, limit};
@@ -12,7 +14,7 @@ use crate::error::{Error, Place};
 use crate::source::Source;
 use buffers::Buffers;
 use document::Document;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Read;
 use transform::{IDENTITY, Transform};
 
@@ -44,6 +46,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     let fault = |found: String| source.fault(Place::Byte(at), found, "the file is damaged, or not whole");
     let meshes = accessors(&document);
     for (mesh, transform) in placed(&document).map_err(fault)? {
+        let mut firsts = BTreeMap::new();
         for &accessor in meshes.get(mesh).into_iter().flatten() {
             let stated = document.accessors.get(accessor);
             let stated = stated.ok_or_else(|| fault(format!("accessor {accessor}, which does not exist")))?;
@@ -53,12 +56,18 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
                 let what = format!("{} vertices that unpack to {needed} bytes", stated.count);
                 return Err(limit::beyond(source, options, 0, &what));
             }
+            firsts.insert(accessor, out.cloud.len());
             accessor::append(stated, &buffers, &transform, &mut out.cloud.positions)
                 .map_err(|found| fault(format!("accessor {accessor} {found}")))?;
         }
+        if options.mesh.is_some() {
+            let room = buffers.room(options, text.capacity()).saturating_sub(24 * out.cloud.len() as u64);
+            faces::append(&document, mesh, &firsts, &mut buffers, room, &mut out)?;
+        }
     }
     out.beside = buffers.files();
-    out.ignored.push("everything but the vertices; y is up".into());
+    let what = if options.mesh.is_some() { "vertices and triangles" } else { "vertices" };
+    out.ignored.push(format!("everything but the {what}; y is up"));
     Ok(out)
 }
 

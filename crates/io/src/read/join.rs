@@ -62,6 +62,10 @@ fn add(all: &mut Scan, mut next: Scan) {
     all.beside.append(&mut next.beside);
     all.missing = all.missing.take().or(next.missing);
     all.name = format!("{}, {}", all.name, next.name);
+    all.sampled = match (all.sampled, next.sampled) {
+        (Some((a, spacing)), Some((b, other))) => Some((a + b, spacing.max(other))),
+        (a, b) => a.or(b),
+    };
     all.bytes += next.bytes;
     all.sha256 = None;
 }

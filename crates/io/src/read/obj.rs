@@ -1,8 +1,10 @@
-//! Wavefront OBJ: the `v` lines, `v x y z [w] [r g b]`; every other statement is counted and left.
+//! Wavefront OBJ: the `v` lines, `v x y z [w] [r g b]`, and where they are asked for the `f` lines; every other statement is counted
+//! and left.
 
+use super::mesh::NO_VERTEX;
 use super::{Decoded, ReadOptions};
 use crate::error::Error;
-use crate::number::{parse, shown, token, tokens};
+use crate::number::{integer, parse, shown, token, tokens};
 use crate::source::Source;
 use lineament::{Attribute, Column};
 
@@ -26,6 +28,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
                 out.cloud.positions.push(vertex.position);
                 colours.push(vertex.colour, out.cloud.len());
             }
+            Some((b"f", rest)) if options.mesh.is_some() => out.faces.push(&face(rest, out.cloud.len())),
             Some((word, _)) if !word.starts_with(b"#") => others += 1,
             _ => {}
         }
@@ -52,6 +55,21 @@ fn next(source: &mut Source) -> Result<Option<Vec<u8>>, Error> {
         }
     }
     Ok(Some(statement))
+}
+
+/// The vertices of an `f` line, `f 1 2/3 4/5/6 -1`, counted from 0. Negative numbers count back
+/// from the last of the vertices so far.
+fn face(rest: &[u8], vertices: usize) -> Vec<u32> {
+    let index = |word: &[u8]| {
+        let number = word.split(|&b| b == b'/').next()?;
+        let index = match number.strip_prefix(b"-") {
+            Some(back) => (vertices as u64).checked_sub(integer(back)?)?,
+            None => integer(number)?.checked_sub(1)?,
+        };
+        u32::try_from(index).ok()
+    };
+    let words = tokens(rest).take_while(|word| !word.starts_with(b"#"));
+    words.map(|word| index(word).unwrap_or(NO_VERTEX)).collect()
 }
 
 struct Vertex {

@@ -1,10 +1,11 @@
 //! OFF, the object file format of Geomview, in ascii: its vertices. Colours, normals and texture coordinates beside them
-//! are left out; the faces are counted, so that a file that ends early is noticed.
+//! are left out; the faces are counted, so that a file that ends early is noticed, and read where they are asked for.
 
 use super::rows::room;
 use super::{Decoded, ReadOptions};
 use crate::error::Error;
 use crate::number::{integer, parse, shown, tokens};
+use crate::read::mesh::{MOST_CORNERS, NO_VERTEX};
 use crate::source::{Source, Word};
 
 /// Whether a first word is one of this format.
@@ -33,7 +34,11 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     if out.missing.is_some() {
         return Ok(out);
     }
-    let there = if by_line { count_lines(source)? } else { count_faces(source, faces)? };
+    let there = if by_line {
+        face_lines(source, &mut out, options)?
+    } else {
+        running_faces(source, faces, &mut out, options)?
+    };
     if there < faces {
         out.cut(source, options, "faces", faces, there)?;
     } else if there > faces && !by_line {
@@ -46,7 +51,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         return Err(source.malformed_line(found, advice));
     }
     out.warnings.extend(source.open_end());
-    if faces > 0 {
+    if faces > 0 && options.mesh.is_none() {
         out.ignored.push(format!("{faces} faces"));
     }
     Ok(out)
@@ -60,25 +65,52 @@ fn first_width(source: &mut Source) -> Result<usize, Error> {
     Ok(lines.find_map(|line| Some(words(line.trim_ascii())).filter(|&count| count > 0)).unwrap_or(WIDEST + 1))
 }
 
-/// Lines that are left.
-fn count_lines(source: &mut Source) -> Result<u64, Error> {
+/// Reads a face from each line that is left, and counts them.
+fn face_lines(source: &mut Source, out: &mut Decoded, options: &ReadOptions) -> Result<u64, Error> {
     let mut count = 0;
-    while next(source)?.is_some() {
+    while let Some(line) = next(source)? {
         count += 1;
+        if options.mesh.is_some() {
+            let mut words = tokens(&line);
+            let corners = words.next().and_then(integer).unwrap_or(0);
+            let face: Vec<u32> = words.take(corners.min(MOST_CORNERS) as usize).map(index).collect();
+            match face.len() as u64 == corners {
+                true => out.faces.push(&face),
+                false => out.odd_faces += 1,
+            }
+        }
     }
     Ok(count)
 }
 
-/// Faces that are left, of which several may stand on a line: each a count and as many indices, the last of a line perhaps
+/// The number of a vertex.
+fn index(word: &[u8]) -> u32 {
+    integer(word).and_then(|index| u32::try_from(index).ok()).unwrap_or(NO_VERTEX)
+}
+
+/// Reads the faces that are left, and counts them; several may stand on a line: each a count and as many indices, the last of a line perhaps
 /// with a colour or with its end on the next line. Stops behind one more than `most`.
-fn count_faces(source: &mut Source, most: u64) -> Result<u64, Error> {
+fn running_faces(
+    source: &mut Source,
+    most: u64,
+    out: &mut Decoded,
+    options: &ReadOptions,
+) -> Result<u64, Error> {
+    let mut face = Vec::new();
     // Faces on this line, and corners that the last of them has yet to come.
     let (mut there, mut here, mut left, mut colours) = (0u64, 0u64, 0u64, false);
     while there + here <= most {
         match source.word()? {
-            Some(Word::Text(_)) if left > 0 => {
+            Some(Word::Text(word)) if left > 0 => {
                 left -= 1;
                 here += u64::from(left == 0);
+                if options.mesh.is_some() {
+                    face.push(index(&word));
+                }
+                if left == 0 {
+                    out.faces.push(&face);
+                    face.clear();
+                }
             }
             Some(Word::Text(_)) if colours => {}
             Some(Word::Text(word)) => match integer(&word) {

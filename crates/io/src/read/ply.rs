@@ -4,6 +4,7 @@
 
 mod ascii;
 mod binary;
+mod faces;
 mod header;
 
 use super::rows::{self, Table, room};
@@ -20,7 +21,10 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         let whole = if element.is_vertex() {
             read_vertices(source, &header, element, options, &mut out)?
         } else {
-            let rows = skip(source, header.encoding, element)?;
+            let rows = match element.corners().filter(|_| options.mesh.is_some()) {
+                Some(list) => faces::read(source, header.encoding, element, list, &mut out)?,
+                None => skip(source, header.encoding, element)?,
+            };
             check(source, element, rows, options, &mut out)?
         };
         if !whole {
@@ -99,7 +103,7 @@ fn note_ignored(
 ) -> Result<(), Error> {
     for element in &header.elements {
         if !element.is_vertex() {
-            if element.count > 0 {
+            if element.count > 0 && (options.mesh.is_none() || element.corners().is_none()) {
                 out.ignored.push(format!("element `{}`, {} rows: not points", element.name, element.count));
             }
             continue;

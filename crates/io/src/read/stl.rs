@@ -1,4 +1,4 @@
-//! STL, binary or ascii: the corners of all triangles in order, shared corners as often as they are used. A
+//! STL, binary or ascii: the corners of all triangles in order, shared corners as often as they are used, and the triangles where they are asked for. A
 //! binary file is recognised by its length, since many binary files begin with `solid` too.
 
 use super::rows::{Field, Table};
@@ -33,11 +33,16 @@ pub(crate) fn is_ascii(start: &[u8]) -> bool {
 pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
     let length = source.remaining();
     let start = source.peek(1 << 16)?;
-    if is_ascii(start) && !is_binary(start, length) {
-        ascii(source, options)
+    let mut out = if is_ascii(start) && !is_binary(start, length) {
+        ascii(source, options)?
     } else {
-        binary(source, options)
+        binary(source, options)?
+    };
+    if options.mesh.is_some() {
+        let corners = u32::try_from(out.cloud.len()).unwrap_or(u32::MAX);
+        (0..corners / 3).for_each(|t| out.faces.push(&[3 * t, 3 * t + 1, 3 * t + 2]));
     }
+    Ok(out)
 }
 
 fn binary(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {

@@ -1,6 +1,7 @@
 //! Encoders that several writers share.
 
 pub(super) mod dxf;
+pub(super) mod gpkg;
 pub(super) mod json;
 pub(super) mod ply;
 pub(super) mod polyline;

@@ -3,6 +3,7 @@
 mod context;
 mod dxf;
 mod geojson;
+mod gpkg;
 mod json;
 mod obj;
 mod ply;
@@ -47,12 +48,13 @@ pub fn write_sections_to(
         SectionFormat::Obj => obj::write(out, sections),
         SectionFormat::Ply => ply::write(out, sections),
         SectionFormat::Dxf => dxf::write(out, sections, &context.stack),
-        SectionFormat::Svg => svg::write(out, sections),
+        SectionFormat::Svg => svg::write(out, sections, context.millimetres),
         SectionFormat::GeoJson => geojson::write(out, sections, context.crs.as_deref()),
+        SectionFormat::GeoPackage => gpkg::write(out, sections, context),
     }
 }
 
-/// Writes one section as a picture.
+/// Writes one section as a picture, with so many millimetres for a unit of the input; `None` fits it to 200 mm.
 ///
 /// # Errors
 /// Those of [`Output::create`], and a failed write.
@@ -61,6 +63,7 @@ pub fn write_slice_picture(
     inputs: &[PathBuf],
     sections: &Sections,
     plane: usize,
+    millimetres: Option<f64>,
 ) -> Result<(), Error> {
-    Output::whole(path, inputs, |out| svg::write_one(out, sections, plane))
+    Output::whole(path, inputs, |out| svg::write_one(out, sections, plane, millimetres))
 }

@@ -13,7 +13,8 @@ use std::path::{Path, PathBuf};
 
 /// Writes into `folder`, which must be there: `segmentation.ply`, the points with the cluster of each and whether that is a large
 /// one; for each graph from `G_all` to `G_smooth` a PLY file of that name with vertices and edges, those of large clusters left
-/// out; `border.ply`, the borders that creases may end on; `stages.json`, counts and seconds. Returns the names written.
+/// out; `border.ply`, the borders that creases may end on; `stages.json`, seconds, and counts of what each PLY holds beside those of
+/// the whole graph. Returns the names written.
 ///
 /// # Errors
 /// Those of [`Output::create`], and a failed write.
@@ -93,8 +94,15 @@ fn table(out: &mut dyn Write, found: &Extraction, clusters: &ClusterStages) -> i
     })?;
     write!(out, "],\n\"graphs\": [")?;
     lines(out, &clusters.graphs, |out, _, g| {
-        let ends = g.lines.edges.iter().filter(|e| e.len() == 1).count();
-        write!(out, "{{\"name\": {}, \"vertices\": {}, \"edges\": {}, ", Text(g.name), g.vertices, g.edges)?;
+        let count = |is: fn(usize) -> bool| g.lines.edges.iter().filter(|e| is(e.len())).count();
+        let (vertices, ends) = (count(|degree| degree > 0), count(|degree| degree == 1));
+        write!(
+            out,
+            "{{\"name\": {}, \"vertices\": {vertices}, \"edges\": {}, ",
+            Text(g.name),
+            g.lines.edge_count()
+        )?;
+        write!(out, "\"all_vertices\": {}, \"all_edges\": {}, ", g.vertices, g.edges)?;
         write!(out, "\"open_ends\": {ends}, \"seconds\": {}}}", Number(g.seconds))
     })?;
     writeln!(out, "]\n}}")

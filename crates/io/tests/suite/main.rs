@@ -23,6 +23,7 @@ mod parts;
 mod pcd;
 mod ply;
 mod points;
+mod sampled;
 mod scans;
 mod seeds;
 mod select;

@@ -4,6 +4,7 @@ use clap::{ArgAction, Args};
 
 /// Threads and messages of a run.
 #[derive(Clone, Debug, Default, Args)]
+#[command(next_help_heading = "Running")]
 pub struct Running {
     /// Number of threads, which does not change the result [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]

@@ -31,6 +31,9 @@ pub struct Reading {
     #[arg(long, value_name = "X,Y,Z,X,Y,Z", value_parser = parse::bounds, allow_hyphen_values = true)]
     #[arg(conflicts_with = "sample")]
     pub bounds: Option<[[f64; 3]; 2]>,
+    /// Read only every N-th point
+    #[arg(long, value_name = "N", conflicts_with = "sample", value_parser = parse::count)]
+    pub every: Option<usize>,
     /// Read only one point of every cube with this edge, in the unit of the input
     #[arg(long, value_name = "SIZE", conflicts_with = "sample", value_parser = parse::length)]
     pub voxel: Option<f64>,
@@ -43,6 +46,13 @@ pub struct Reading {
     /// Read only one scan of a file that holds several, counted from 1
     #[arg(long, value_name = "N", conflicts_with = "sample", value_parser = parse::count)]
     pub scan: Option<usize>,
+    /// Sample a mesh over its faces by this many points [default: so that its smallest edges and faces get ten spacings, between
+    /// 20,000 and 200,000; its vertices alone where they are dense]
+    #[arg(long, value_name = "N", conflicts_with_all = ["sample", "vertices"], value_parser = parse::samples)]
+    pub samples: Option<usize>,
+    /// Take the vertices of a mesh alone, however few they are
+    #[arg(long, conflicts_with = "sample")]
+    pub vertices: bool,
     /// Read the input as this format, whatever its content or name
     #[arg(long, value_name = "NAME", conflicts_with = "sample", value_parser = parse::format)]
     pub input_format: Option<Format>,

@@ -8,6 +8,7 @@ use crate::args::parse;
 
 /// Parameters of the extraction; none needs to be set.
 #[derive(Clone, Debug, Default, Args)]
+#[command(next_help_heading = "Parameters")]
 pub struct Tuning {
     /// Detection method: penalty (or gumhold), projection (tran) or segments (demarsin); as --set method=M
     #[arg(long, value_name = "M")]
@@ -18,8 +19,10 @@ pub struct Tuning {
 
 /// Parameters by their keys.
 #[derive(Clone, Debug, Default, Args)]
+#[command(next_help_heading = "Parameters")]
 pub struct Settings {
-    /// TOML file of parameters, in the form that `lineament params` prints
+    /// File of parameters: TOML in the form that `lineament params` prints, or JSON that `lineament extract` wrote, for the
+    /// parameters that were used there
     #[arg(long, value_name = "FILE.toml", value_hint = ValueHint::FilePath)]
     pub params: Option<PathBuf>,
     /// Set one parameter, such as `penalty.gamma=0.4`; may be given several times, and takes precedence over the file

@@ -21,11 +21,11 @@ const AZIMUTHS: usize = 12;
 const FIRST_AZIMUTH: f64 = 0.73;
 const ELEVATIONS: [f64; 6] = [22.0, 35.0, 55.0, 75.0, -25.0, -55.0];
 
-/// The direction towards the eye, of a fixed set of oblique ones, with the most visible line and visible surface.
+/// The direction towards the eye, of a fixed set of oblique ones, with the most visible edges and visible surface.
 /// The first of equals.
 pub(super) fn direction(scene: &Scene, settings: &Settings) -> [f64; 3] {
     let (surfels, growth) = thinned(scene.surfels);
-    let lines = line_samples(scene);
+    let lines = edges(&surfels);
     let frame = Camera::looking(settings.up, [0.0, 1.0, 0.0]);
     let candidates: Vec<([f64; 3], f64)> = candidates(&frame);
     let shown: Vec<[f64; 2]> = candidates
@@ -69,13 +69,14 @@ fn thinned(surfels: &[Surfel]) -> (Vec<Surfel>, f32) {
     (surfels.iter().step_by(step).copied().collect(), (step as f32).sqrt())
 }
 
-/// Points along the lines, about one for each spacing, and at most about a thousand for each strip.
-fn line_samples(scene: &Scene) -> Vec<[f64; 3]> {
-    let strips = scene.network.into_iter().flat_map(|n| &n.strips);
-    strips.flat_map(|s| s.points.iter().step_by(s.points.len().div_ceil(1000).max(1)).copied()).collect()
+/// Places where the surface folds or ends, as their discs tell: no lines of a network, so that pictures of one scan are seen from one
+/// side whatever was found.
+fn edges(surfels: &[Surfel]) -> Vec<[f64; 3]> {
+    let folded = surfels.iter().filter(|s| s.center != s.position);
+    folded.map(|s| s.position).collect()
 }
 
-/// Visible area in square world units and the number of visible line samples.
+/// Visible area in square world units and the number of visible places on edges.
 fn shown(
     surfels: &[Surfel],
     growth: f32,

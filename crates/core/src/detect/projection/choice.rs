@@ -30,9 +30,13 @@ const FLOOR_LIMIT: f64 = 0.5;
 
 /// The floor as given, or derived from spacing and noise; local frame.
 pub fn floor(resolution: Resolution, params: &ProjectionParams) -> f64 {
+    floor_spacings(resolution, params) * resolution.spacing
+}
+
+/// The same in spacings.
+pub(crate) fn floor_spacings(resolution: Resolution, params: &ProjectionParams) -> f64 {
     let noise = resolution.noise / resolution.spacing;
-    let derived = (FLOOR_SPACINGS + FLOOR_NOISE * noise).min(FLOOR_LIMIT);
-    params.floor_spacings.or(|| derived) * resolution.spacing
+    params.floor_spacings.or(|| (FLOOR_SPACINGS + FLOOR_NOISE * noise).min(FLOOR_LIMIT))
 }
 
 /// Index into [`SCALES`] of the scale that is taken without a peak.

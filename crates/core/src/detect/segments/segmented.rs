@@ -24,7 +24,7 @@ pub struct Segmented {
 }
 
 /// The segmentation's angle, degrees: the paper's 8, and up to twice that where noise tilts the normals.
-pub(super) fn angle(params: &SegmentParams, resolution: Resolution) -> f64 {
+pub(crate) fn angle(params: &SegmentParams, resolution: Resolution) -> f64 {
     params.angle_deg.or(|| match params.form {
         SegmentForm::Paper => ANGLE_DEG,
         SegmentForm::Robust => ANGLE_DEG * (1.0 + (2.0 * resolution.noise / resolution.spacing).min(1.0)),

@@ -55,5 +55,11 @@ pub(crate) fn of_faces(points: &[[f64; 3]], index: &Index, noise: f64, share: f6
     let fewest = changes.iter().copied().fold(f64::INFINITY, f64::min);
     let steady = kept.iter().zip(&changes).filter(|(_, c)| **c <= OFTEN * fewest).map(|(p, _)| p);
     let longest = steady.max_by(|a, b| facets.variance(a.axis).total_cmp(&facets.variance(b.axis)));
-    longest.map(|pose| pose.axis)
+    longest.map(|pose| snapped(pose.axis, pose.uncertainty(&facets)))
+}
+
+/// The coordinate axis within an angle of an axis, radians; else the axis itself.
+pub(crate) fn snapped(axis: [f64; 3], within: f64) -> [f64; 3] {
+    let unit = |k: usize| std::array::from_fn(|a| if a == k { axis[k].signum() } else { 0.0 });
+    (0..3).map(unit).find(|&to| vec3::norm(vec3::cross(axis, to)) <= within.sin()).unwrap_or(axis)
 }

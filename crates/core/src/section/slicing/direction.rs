@@ -2,12 +2,15 @@
 //! of the object that minimizes a target function, e.g. PCA").
 
 use super::axis;
-use crate::math::eigen3::eigen3;
+use crate::math::eigen3::{Eigen3, eigen3};
 use crate::neighbors::Index;
 use crate::params::SectionParams;
 use crate::params::section::Axis;
 use crate::section::frame::SliceFrame;
 use crate::section::surface::spread::Spread;
+
+/// Radians, about 10 degrees, up to which a principal axis snaps to one of the coordinates however little it is determined.
+const MOST_OFF: f64 = 0.17;
 
 /// The frame of an axis; automatic ones look at the faces, or at the principal axes of the points.
 pub(crate) fn resolve(params: &SectionParams, points: &[[f64; 3]], index: &Index, noise: f64) -> SliceFrame {
@@ -23,12 +26,24 @@ pub(crate) fn resolve(params: &SectionParams, points: &[[f64; 3]], index: &Index
 fn automatic(axis: Axis, points: &[[f64; 3]]) -> [f64; 3] {
     let Some(&origin) = points.first() else { return [0.0, 0.0, 1.0] };
     let spread = Spread::of(points.iter().map(|&p| (p, 1.0)), origin);
-    let vectors = eigen3(&spread.tensor).vectors;
+    let Eigen3 { values, vectors } = eigen3(&spread.tensor);
     let pick = match axis {
         Axis::Thinnest => thinnest(points, &vectors),
-        _ => vectors[2],
+        _ => 2,
     };
-    settle(pick)
+    settle(axis::snapped(vectors[pick], uncertainty(values, pick, points.len())))
+}
+
+/// How far a principal axis may be off, radians: three standard errors (Anderson, "Asymptotic theory for principal component analysis",
+/// 1963) for so many independent points.
+fn uncertainty(values: [f64; 3], pick: usize, count: usize) -> f64 {
+    let turn = |other: usize| {
+        let gap = (values[pick] - values[other]).abs();
+        (values[pick] * values[other] / count.max(1) as f64).max(0.0).sqrt() / gap.max(f64::MIN_POSITIVE)
+    };
+    let most = (0..3).filter(|&k| k != pick).map(turn).fold(0.0, f64::max);
+    // Beyond that the axis is not determined at all.
+    (3.0 * most).min(MOST_OFF)
 }
 
 /// The sign for which the largest component is positive; components that are rounding are 0, so that a cloud that
@@ -39,9 +54,9 @@ fn settle(v: [f64; 3]) -> [f64; 3] {
     if largest < 0.0 { clean.map(|x| -x) } else { clean }
 }
 
-/// The axis for which slices project thinnest: a slab's points, projected, fill the fewest cells of a grid as fine
+/// The index of the axis for which slices project thinnest: a slab's points, projected, fill the fewest cells of a grid as fine
 /// as the slabs are thick.
-fn thinnest(points: &[[f64; 3]], axes: &[[f64; 3]; 3]) -> [f64; 3] {
+fn thinnest(points: &[[f64; 3]], axes: &[[f64; 3]; 3]) -> usize {
     let filled = |axis: &[f64; 3]| {
         let frame = SliceFrame::along(Axis::Vector(*axis))?;
         let cell = extent(points, &frame) / 64.0;
@@ -52,8 +67,7 @@ fn thinnest(points: &[[f64; 3]], axes: &[[f64; 3]; 3]) -> [f64; 3] {
         Some(cells.len())
     };
     let counts: Vec<usize> = axes.iter().map(|a| filled(a).unwrap_or(usize::MAX)).collect();
-    let best = (0..3).min_by_key(|&k| (counts[k], 2 - k)).unwrap_or(2);
-    axes[best]
+    (0..3).min_by_key(|&k| (counts[k], 2 - k)).unwrap_or(2)
 }
 
 fn extent(points: &[[f64; 3]], frame: &SliceFrame) -> f64 {

@@ -6,11 +6,11 @@ use rayon::prelude::*;
 
 use super::planes::{self, Cut};
 use super::slabs::Slabs;
-use super::{adaptive, direction};
+use super::{adaptive, direction, level};
 use crate::error::Error;
 use crate::frame::Localised;
 use crate::neighbors::Index;
-use crate::params::section::{Outline, Side};
+use crate::params::section::{Outline, Planes, Side, Zero};
 use crate::params::{Auto, SectionParams};
 use crate::section::frame::SliceFrame;
 use crate::section::outline;
@@ -59,7 +59,27 @@ impl<'a> Slicer<'a> {
     /// The planes, world heights, in the order asked for.
     pub(crate) fn cuts(&self) -> Result<Vec<Cut>, Error> {
         let (low, high) = self.extent();
-        planes::cuts(&self.params.planes, low, high)
+        match &self.params.planes {
+            Planes::At(at) => {
+                let zero = self.zero().1;
+                planes::cuts(&Planes::At(at.iter().map(|z| zero + z).collect()), low, high)
+            }
+            planes => planes::cuts(planes, low, high),
+        }
+    }
+
+    /// The place that positions are counted from, and its world height.
+    fn zero(&self) -> (Zero, f64) {
+        let tiles = &self.tiles.tiles;
+        let lowest = || (Zero::Lowest, self.extent().0);
+        let floor = || level::floor(tiles, self.frame.axes[2], self.texture.spacing);
+        match self.params.from {
+            Zero::Origin => (Zero::Origin, 0.0),
+            Zero::Floor => {
+                floor().map_or_else(lowest, |height| (Zero::Floor, self.base + self.scale * height))
+            }
+            Zero::Lowest => lowest(),
+        }
     }
 
     /// Least and greatest world height of the points; 0 for none.
@@ -216,7 +236,8 @@ impl<'a> Slicer<'a> {
             section.contours.iter_mut().for_each(|c| c.place(&to_world, self.scale));
         }
         Sections {
-            frame: self.frame,
+            frame: self.frame.upright(),
+            zero: self.zero(),
             heights,
             spacing: self.texture.spacing * self.scale,
             noise: self.texture.noise,

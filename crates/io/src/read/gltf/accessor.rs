@@ -52,6 +52,21 @@ pub(super) fn append(
     Ok(())
 }
 
+/// The whole numbers of an accessor that others are counted by; `None` if it is of another kind or its bytes are not there.
+pub(super) fn numbers(accessor: &Accessor, buffers: &Buffers) -> Option<Vec<u32>> {
+    let kind = match accessor.component_type {
+        5121 => Scalar::U8,
+        5123 => Scalar::U16,
+        5125 => Scalar::U32,
+        _ => return None,
+    };
+    let (size, view) = (kind.size() as u64, accessor.buffer_view?);
+    let plain = accessor.kind == "SCALAR" && accessor.sparse.is_none();
+    let rows =
+        elements(buffers, view, accessor.byte_offset, accessor.count, size, size).ok().filter(|_| plain)?;
+    Some(rows.chunks_exact(kind.size()).map(|row| kind.value(row, Endian::Little) as u32).collect())
+}
+
 /// The greatest stride that the format allows.
 const MOST: u64 = 252;
 

@@ -64,6 +64,9 @@ pub(super) struct Mesh {
 #[serde(default)]
 pub(super) struct Primitive {
     pub attributes: Attributes,
+    pub indices: Option<usize>,
+    /// 4 for triangles, which is the default, 5 for a strip of them, 6 for a fan.
+    pub mode: Option<u32>,
 }
 
 #[derive(Deserialize, Default)]

@@ -63,6 +63,15 @@ impl Element {
         self.name == "vertex"
     }
 
+    /// Of the faces, the list of their vertices, by index.
+    pub fn corners(&self) -> Option<usize> {
+        let of = |p: &Property| {
+            matches!(p.kind, Kind::List { item, .. } if item.is_integer())
+                && matches!(p.name.as_str(), "vertex_indices" | "vertex_index")
+        };
+        (self.name == "face").then(|| self.properties.iter().position(of)).flatten()
+    }
+
     /// The properties x, y and z, by index.
     pub fn axes(&self, source: &Source) -> Result<[usize; 3], Error> {
         let mut axes = [0; 3];

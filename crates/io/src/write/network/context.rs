@@ -1,6 +1,7 @@
 //! Provenance and settings of a network for its outputs.
 
-use lineament::Patches;
+use lineament::patch::Sides;
+use lineament::{Patches, Strip};
 
 /// Provenance, settings and patches that a file states beside the network itself.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -40,4 +41,16 @@ pub struct Parameter {
     pub key: String,
     /// The value. Numbers, `true` and `false` are written as such, all else as text.
     pub value: String,
+}
+
+impl NetworkContext {
+    /// What lies beside a strip, where patches were looked for.
+    pub(super) fn sides(&self, strip: usize) -> Option<&Sides> {
+        self.patches.as_ref().and_then(|patches| patches.sides.get(strip))
+    }
+}
+
+/// The angle of the fold along a strip, between its patches or as the detector measured it; NaN where neither is known.
+pub(super) fn fold_deg(strip: &Strip, sides: Option<&Sides>) -> f64 {
+    sides.and_then(|sides| sides.fold_deg).or(strip.fold_deg).unwrap_or(f64::NAN)
 }

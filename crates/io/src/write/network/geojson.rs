@@ -2,7 +2,7 @@
 //! URN of another reference system stands in the member `crs` of the 2008 specification, which GDAL and QGIS read; where it
 //! is not known `null` stands there, so that no reader takes the coordinates for degrees.
 
-use super::context::NetworkContext;
+use super::context::{self, NetworkContext};
 use crate::crs;
 use crate::write::encode::json::{Index, Number, Point};
 use lineament::Network;
@@ -19,7 +19,8 @@ pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkCon
         write!(out, "\"kind\": \"{}\", \"closed\": {}, ", strip.kind.name(), strip.closed)?;
         write!(out, "\"start\": {}, \"end\": {}, ", Index(strip.start), Index(strip.end))?;
         write!(out, "\"length\": {}, \"deviation\": {}, ", Number(strip.length()), Number(strip.deviation))?;
-        write!(out, "\"confidence\": {}}}, ", Number(strip.confidence))?;
+        let fold_deg = context::fold_deg(strip, context.sides(id));
+        write!(out, "\"fold_deg\": {}, \"confidence\": {}}}, ", Number(fold_deg), Number(strip.confidence))?;
         write!(out, "\"geometry\": {{\"type\": \"LineString\", \"coordinates\": [")?;
         let first = strip.points.first().filter(|_| strip.closed);
         for (i, point) in strip.points.iter().chain(first).enumerate() {

@@ -1,6 +1,6 @@
 //! A network in the schema `lineament-network/1`, which `docs/schema-network-1.md` describes.
 
-use super::context::{NetworkContext, Parameter};
+use super::context::{self, NetworkContext, Parameter};
 use super::patch;
 use crate::write::encode::json::{Head, Index, Number, Point, Text, Value, lines, list};
 use lineament::curve::BSpline;
@@ -36,8 +36,7 @@ pub(in crate::write) fn write(
     write!(out, "\"nodes\": [")?;
     lines(out, &network.nodes, node)?;
     write!(out, "],\n\"strips\": [")?;
-    let sides = |id: usize| context.patches.as_ref().and_then(|p| p.sides.get(id));
-    lines(out, &network.strips, |out, id, s| strip(out, id, s, sides(id)))?;
+    lines(out, &network.strips, |out, id, s| strip(out, id, s, context.sides(id)))?;
     write!(out, "],\n\"patches\": [")?;
     lines(out, context.patches.as_ref().map_or(&[][..], |p| &p.patches), patch::patch)?;
     writeln!(out, "]\n}}")
@@ -65,10 +64,9 @@ fn strip(out: &mut dyn Write, id: usize, strip: &Strip, sides: Option<&Sides>) -
     curve(out, &strip.curve)?;
     write!(out, ", \"sources\": [")?;
     list(out, &strip.sources, |out, _, source| write!(out, "{source}"))?;
-    write!(out, "]")?;
-    if let Some(Sides { left, right, fold_deg, convex }) = sides {
-        write!(out, ", \"left\": {}, \"right\": {}", Index(*left), Index(*right))?;
-        write!(out, ", \"fold_deg\": {}, \"convex\": ", Number(fold_deg.unwrap_or(f64::NAN)))?;
+    write!(out, "], \"fold_deg\": {}", Number(context::fold_deg(strip, sides)))?;
+    if let Some(Sides { left, right, convex, .. }) = sides {
+        write!(out, ", \"left\": {}, \"right\": {}, \"convex\": ", Index(*left), Index(*right))?;
         match convex {
             Some(convex) => write!(out, "{convex}")?,
             None => write!(out, "null")?,

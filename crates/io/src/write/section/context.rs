@@ -15,6 +15,10 @@ pub struct SectionContext {
     pub input_points: u64,
     /// The coordinate reference system: `EPSG:` and its code, or its name.
     pub crs: Option<String>,
+    /// Its definition in well-known text, if the input holds one.
+    pub crs_wkt: Option<String>,
+    /// Millimetres of a drawing for one unit of the input; `None` fits the sheet to 200 mm.
+    pub millimetres: Option<f64>,
     /// The features of the stack of slices; empty if they were not asked for.
     pub stack: Stack,
 }

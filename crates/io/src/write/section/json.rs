@@ -4,6 +4,7 @@
 use super::context::SectionContext;
 use crate::write::encode::json::{Head, Number, Point, Text, lines, list};
 use lineament::curve::BSpline;
+use lineament::params::ParamValue;
 use lineament::section::{Contour, CurvePiece, CurveShape, Feature, Mirror, Repeat, Run, Section, Sections};
 use rayon::prelude::*;
 use std::io::{self, Write};
@@ -23,6 +24,8 @@ pub(super) fn write(out: &mut dyn Write, sections: &Sections, context: &SectionC
     .write(out)?;
     let [u, v, w] = &sections.frame.axes;
     writeln!(out, "\"axes\": [{}, {}, {}],", Point(u), Point(v), Point(w))?;
+    let (zero, place) = sections.zero;
+    writeln!(out, "\"from\": \"{}\",\n\"zero\": {},", zero.show(), Number(place))?;
     writeln!(out, "\"spacing\": {},", Number(sections.spacing))?;
     writeln!(out, "\"noise\": {},", Number(sections.noise * sections.spacing))?;
     write!(out, "\"planes\": [")?;

@@ -1,50 +1,60 @@
-//! Sections as an SVG sheet: the slices side by side at one scale, solid parts tinted, each under its height. Where curves
+//! Sections as an SVG sheet in millimetres: the slices side by side at one scale, solid parts tinted, each over its position. Where curves
 //! were fitted, arcs and circles are drawn as such and splines as the cubic curves of Bezier that they consist of.
 
 use lineament::curve::BSpline;
 use lineament::section::{Contour, CurvePiece, CurveShape, Section, Sections};
 use std::io::{self, Write};
 
-/// Width of a slice's cell on a sheet, and of the picture of one slice, in pixels.
-const CELL: f64 = 320.0;
-const ALONE: f64 = 900.0;
-/// Free room around the curves, as a share of the cell.
-const MARGIN: f64 = 0.06;
+/// Width of a sheet or picture whose scale is not given, and the least of a slice's cell on it, millimetres.
+const SIDE: f64 = 200.0;
+const CELL: f64 = 30.0;
+/// Free room around the curves, and room for the line of text below them, millimetres.
+const MARGIN: f64 = 4.0;
+const TEXT: f64 = 5.0;
 
-/// Least corner and extent of the curves in the plane.
+/// The curves of a cell: their least corner and extent in the plane, and the millimetres for a unit.
 struct Window {
     low: [f64; 2],
     extent: [f64; 2],
+    scale: f64,
 }
 
-/// Writes all slices on one sheet.
-pub(super) fn write(out: &mut dyn Write, sections: &Sections) -> io::Result<()> {
+/// Writes all slices on one sheet; `millimetres` for a unit of the input, else as fits.
+pub(super) fn write(out: &mut dyn Write, sections: &Sections, millimetres: Option<f64>) -> io::Result<()> {
     let n = sections.sections.len().max(1);
     let columns = (n as f64).sqrt().ceil() as usize;
-    let window = window(sections, &sections.sections);
-    let height = cell_height(&window, CELL);
-    let size = [columns as f64 * CELL, n.div_ceil(columns) as f64 * height];
-    head(out, size)?;
+    let window = Window::of(sections, (SIDE / columns as f64).max(CELL), millimetres);
+    let [width, height] = window.cell();
+    head(out, [columns as f64 * width, n.div_ceil(columns) as f64 * height], window.scale)?;
     for (k, section) in sections.sections.iter().enumerate() {
-        let corner = [(k % columns) as f64 * CELL, (k / columns) as f64 * height];
-        slice(out, sections, section, &window, corner, CELL)?;
+        let corner = [(k % columns) as f64 * width, (k / columns) as f64 * height];
+        slice(out, sections, section, &window, corner)?;
     }
     writeln!(out, "</svg>")
 }
 
 /// Writes one slice alone.
-pub(super) fn write_one(out: &mut dyn Write, sections: &Sections, plane: usize) -> io::Result<()> {
-    let window = window(sections, &sections.sections);
-    head(out, [ALONE, cell_height(&window, ALONE)])?;
+pub(super) fn write_one(
+    out: &mut dyn Write,
+    sections: &Sections,
+    plane: usize,
+    millimetres: Option<f64>,
+) -> io::Result<()> {
+    let window = Window::of(sections, SIDE, millimetres);
+    head(out, window.cell(), window.scale)?;
     if let Some(section) = sections.sections.get(plane) {
-        slice(out, sections, section, &window, [0.0, 0.0], ALONE)?;
+        slice(out, sections, section, &window, [0.0, 0.0])?;
     }
     writeln!(out, "</svg>")
 }
 
-fn head(out: &mut dyn Write, [width, height]: [f64; 2]) -> io::Result<()> {
-    write!(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" ")?;
-    writeln!(out, "viewBox=\"0 0 {width:.1} {height:.1}\">")?;
+fn head(out: &mut dyn Write, [width, height]: [f64; 2], scale: f64) -> io::Result<()> {
+    write!(
+        out,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.3}mm\" height=\"{height:.3}mm\" "
+    )?;
+    writeln!(out, "viewBox=\"0 0 {width:.3} {height:.3}\">")?;
+    writeln!(out, "<desc>Sections; one unit of the input is {scale:?} mm</desc>")?;
     writeln!(out, "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>")
 }
 
@@ -53,29 +63,28 @@ fn flat(sections: &Sections, p: [f64; 3]) -> [f64; 2] {
     [x, y]
 }
 
-fn window(sections: &Sections, of: &[Section]) -> Window {
-    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for contour in of.iter().flat_map(|s| &s.contours) {
-        for &p in &contour.points {
+impl Window {
+    /// Of all slices alike; where no scale is given the curves fit a cell of this width, and as high.
+    fn of(sections: &Sections, width: f64, millimetres: Option<f64>) -> Self {
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for &p in sections.contours().flat_map(|(_, contour)| &contour.points) {
             let p = flat(sections, p);
             for axis in 0..2 {
                 low[axis] = low[axis].min(p[axis]);
                 high[axis] = high[axis].max(p[axis]);
             }
         }
+        let empty = low[0] > high[0];
+        let extent = [0, 1].map(|a| if empty { 1.0 } else { (high[a] - low[a]).max(f64::MIN_POSITIVE) });
+        let fitting = (width - 2.0 * MARGIN) / extent[0].max(extent[1]);
+        Self { low: if empty { [0.0; 2] } else { low }, extent, scale: millimetres.unwrap_or(fitting) }
     }
-    if low[0] > high[0] {
-        return Window { low: [0.0; 2], extent: [1.0; 2] };
+
+    /// Width and height of a cell.
+    fn cell(&self) -> [f64; 2] {
+        let [x, y] = self.extent.map(|extent| extent * self.scale + 2.0 * MARGIN);
+        [x.max(CELL), y + TEXT]
     }
-    Window { low, extent: [0, 1].map(|a| (high[a] - low[a]).max(f64::MIN_POSITIVE)) }
-}
-
-fn scale(window: &Window, cell: f64) -> f64 {
-    (1.0 - 2.0 * MARGIN) * cell / window.extent[0].max(window.extent[1])
-}
-
-fn cell_height(window: &Window, cell: f64) -> f64 {
-    window.extent[1] * scale(window, cell) + 2.0 * MARGIN * cell + 18.0
 }
 
 fn slice(
@@ -84,24 +93,22 @@ fn slice(
     section: &Section,
     window: &Window,
     corner: [f64; 2],
-    cell: f64,
 ) -> io::Result<()> {
-    let s = scale(window, cell);
+    let (s, [width, height]) = (window.scale, window.cell());
     let high = window.low[1] + window.extent[1];
+    let left = corner[0] + 0.5 * (width - window.extent[0] * s);
     let place = |p: [f64; 3]| {
         let [x, y] = flat(sections, p);
-        let left = corner[0] + 0.5 * (cell - window.extent[0] * s);
-        [left + (x - window.low[0]) * s, corner[1] + MARGIN * cell + (high - y) * s]
+        [left + (x - window.low[0]) * s, corner[1] + MARGIN + (high - y) * s]
     };
     write!(out, "<g id=\"slice_{:04}\"><path fill=\"#dfe8f2\" fill-rule=\"evenodd\" ", section.plane)?;
-    write!(out, "stroke=\"#1f4e8c\" stroke-width=\"1\" d=\"")?;
+    write!(out, "stroke=\"#1f4e8c\" stroke-width=\"0.25\" d=\"")?;
     section.contours.iter().filter(|c| c.closed).try_for_each(|c| path(out, c, place))?;
-    write!(out, "\"/><path fill=\"none\" stroke=\"#c0392b\" stroke-width=\"1\" d=\"")?;
+    write!(out, "\"/><path fill=\"none\" stroke=\"#c0392b\" stroke-width=\"0.25\" d=\"")?;
     section.contours.iter().filter(|c| !c.closed).try_for_each(|c| path(out, c, place))?;
-    let bottom = corner[1] + cell_height(window, cell) - 6.0;
-    write!(out, "\"/><text x=\"{:.1}\" y=\"{bottom:.1}\" ", corner[0] + 8.0)?;
-    write!(out, "font-family=\"sans-serif\" font-size=\"11\">")?;
-    write!(out, "{}: {}", section.plane, rounded(section.height))?;
+    write!(out, "\"/><text x=\"{:.3}\" y=\"{:.3}\" ", corner[0] + 2.0, corner[1] + height - 1.5)?;
+    write!(out, "font-family=\"sans-serif\" font-size=\"2.8\">")?;
+    write!(out, "{}: {}", section.plane, rounded(section.height - sections.zero.1))?;
     if let Some(missing) = section.missing {
         write!(out, " ({})", missing.reason())?;
     }
@@ -116,7 +123,7 @@ fn rounded(height: f64) -> String {
 fn path(out: &mut dyn Write, contour: &Contour, place: impl Fn([f64; 3]) -> [f64; 2]) -> io::Result<()> {
     let at = |out: &mut dyn Write, command: &str, p: [f64; 3]| {
         let [x, y] = place(p);
-        write!(out, "{command}{x:.2} {y:.2}")
+        write!(out, "{command}{x:.4} {y:.4}")
     };
     if let Some(first) = contour.pieces.first() {
         at(out, "M", first.from)?;
@@ -147,13 +154,13 @@ fn curve(
         CurveShape::Arc { centre, sweep_deg, .. } => {
             let (r, large, forward) =
                 (radius(*centre), u8::from(sweep_deg.abs() > 180.0), u8::from(*sweep_deg < 0.0));
-            at(out, &format!("A{r:.3} {r:.3} 0 {large} {forward} "), piece.to)
+            at(out, &format!("A{r:.4} {r:.4} 0 {large} {forward} "), piece.to)
         }
         CurveShape::Circle { centre, .. } => {
             let r = radius(*centre);
             let across = [0, 1, 2].map(|k| 2.0 * centre[k] - piece.from[k]);
-            at(out, &format!("A{r:.3} {r:.3} 0 1 0 "), across)?;
-            at(out, &format!("A{r:.3} {r:.3} 0 1 0 "), piece.to)
+            at(out, &format!("A{r:.4} {r:.4} 0 1 0 "), across)?;
+            at(out, &format!("A{r:.4} {r:.4} 0 1 0 "), piece.to)
         }
         CurveShape::Spline(spline) => bezier(spline).iter().try_for_each(|[p, q, to]| {
             at(out, "C", *p)?;

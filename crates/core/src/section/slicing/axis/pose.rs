@@ -14,6 +14,8 @@ const PASSES_WITHIN: f64 = 0.5;
 const LEAST_RADIUS: f64 = 0.1;
 /// Weight, as a share of the whole surface, that keeps a line in place where no facet moves it.
 const STAY_WEIGHT: f64 = 1e-6;
+/// Standard errors within which an axis is the same.
+const SURE: f64 = 3.0;
 /// Height, in spacings, over which faces across the axis are one change of the section.
 const LEVEL_HEIGHT: f64 = 2.0;
 
@@ -130,6 +132,15 @@ impl Pose {
         }
         let (middle, half) = (0.5 * (m[0][0] + m[1][1]), 0.5 * (m[0][0] - m[1][1]));
         middle - half.hypot(m[0][1])
+    }
+
+    /// How far the axis may be off, radians: three standard errors of the turn that is least sure, facets being off independently.
+    pub(crate) fn uncertainty(&self, facets: &Facets) -> f64 {
+        // Weights are roots of shares of the surface: squares sum to the mean over it.
+        let rows = self.rows(facets, facets.off);
+        let mean: f64 = rows.iter().map(|(_, rest)| rest * rest).sum();
+        let count = facets.all.len().max(1) as f64;
+        SURE * (mean / (self.held(facets).max(f64::MIN_POSITIVE) * count)).sqrt()
     }
 
     /// How a facet lies, `off` being how far its normal may be off.

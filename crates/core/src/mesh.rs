@@ -1,0 +1,105 @@
+//! Meshes as inputs: where their vertices are too few to show the surface, points are sampled over their faces.
+//!
+//! A CAD program writes a box with eight vertices and twelve triangles: the surface is there, but not in the vertices. The
+//! mesh of a scan, on the other hand, has a vertex wherever the scanner measured a point.
+
+mod canonical;
+mod dense;
+mod eliminate;
+mod features;
+mod scatter;
+mod triangles;
+
+use canonical::Surface;
+
+/// Faces of a mesh, each with three vertices or more.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Faces {
+    corners: Vec<u32>,
+    ends: Vec<usize>,
+}
+
+/// The points to take of a mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MeshPoints {
+    /// The vertices where they are dense, otherwise points sampled over the faces, as many as their features need.
+    #[default]
+    Auto,
+    /// The vertices alone.
+    Vertices,
+    /// So many points sampled over the faces.
+    Sampled(usize),
+}
+
+/// Points sampled over the faces of a mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshSample {
+    /// `(N, 3)` f64, world frame.
+    pub points: Vec<[f64; 3]>,
+    /// Mean distance of neighbouring points, unit of the input.
+    pub spacing: f64,
+    /// The size of the smallest features, unit of the input, where the mesh has any: the extent of sharp edges, the width of the
+    /// faces between them.
+    pub feature: Option<f64>,
+}
+
+/// The most points that can be asked for.
+pub const MOST_SAMPLES: usize = 2_000_000;
+
+/// Samples the faces of a mesh if that is asked for, or needed; `None` where the vertices are to be taken: as that was asked for,
+/// as they are dense, or as the faces have no area.
+///
+/// The points are a blue noise. They do not depend on the order of faces and vertices, on faces that are there twice, or on the
+/// place of the origin. `vertices` is `(V, 3)` f64, world frame.
+pub fn sample(vertices: &[[f64; 3]], faces: &Faces, points: MeshPoints) -> Option<MeshSample> {
+    if points == MeshPoints::Vertices || faces.is_empty() {
+        return None;
+    }
+    let surface = Surface::new(vertices, faces)?;
+    let feature = features::size(&surface);
+    let count = match points {
+        MeshPoints::Sampled(count) => count.clamp(1, MOST_SAMPLES),
+        _ if dense::is_dense(&surface, feature) => return None,
+        _ => features::samples(&surface, feature),
+    };
+    let candidates = scatter::scatter(&surface, scatter::FACTOR * count);
+    let kept = eliminate::eliminate(&candidates, surface.area, count);
+    let points: Vec<[f64; 3]> =
+        kept.iter().map(|&i| surface.to_world(candidates[i as usize].position)).collect();
+    let spacing = (surface.area / points.len().max(1) as f64).sqrt() / surface.scale;
+    Some(MeshSample { points, spacing, feature: feature.map(|size| size / surface.scale) })
+}
+
+impl Faces {
+    /// Adds a face by the indices of its vertices, counted from 0; one with fewer than three has no area and is left out.
+    pub fn push(&mut self, face: &[u32]) {
+        if face.len() >= 3 {
+            self.corners.extend_from_slice(face);
+            self.ends.push(self.corners.len());
+        }
+    }
+
+    /// The number of faces.
+    pub fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.ends.is_empty()
+    }
+
+    /// The faces in their order.
+    pub fn iter(&self) -> impl Iterator<Item = &[u32]> {
+        let starts = std::iter::once(0).chain(self.ends.iter().copied());
+        starts.zip(&self.ends).map(|(start, &end)| &self.corners[start..end])
+    }
+
+    /// The greatest index of a vertex.
+    pub fn greatest(&self) -> Option<u32> {
+        self.corners.iter().copied().max()
+    }
+}
+
+#[cfg(test)]
+mod tests;

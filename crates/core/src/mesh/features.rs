@@ -1,0 +1,133 @@
+//! The size of the smallest features of a mesh: chains of sharp edges by their extent, the faces between them by their width.
+
+use super::canonical::Surface;
+use crate::math::union_find::UnionFind;
+use crate::math::vec3::{distance, dot, sub, unit};
+
+/// Cosine of the angle between the normals of two triangles, 30 degrees, above which their edge is sharp.
+const SHARP: f64 = 0.866_025;
+/// Cosine of the turn at a vertex, 50 degrees, beyond which a chain of such edges ends.
+const TURN: f64 = 0.642_788;
+/// Spacings that the smallest features get.
+const SPACINGS: f64 = 10.0;
+/// Share of the length of all features that may be smaller still: slivers, which are no features.
+const SLIVERS: f64 = 0.01;
+/// Fewest and most points by default.
+const FEWEST: f64 = 20_000.0;
+const MOST: f64 = 200_000.0;
+
+/// The number of points at which features of a size get ten spacings, within bounds.
+pub(super) fn samples(surface: &Surface, feature: Option<f64>) -> usize {
+    let needed = feature.map_or(0.0, |size| surface.area * (SPACINGS / size).powi(2));
+    needed.clamp(FEWEST, MOST) as usize
+}
+
+/// The size of the smallest features, local frame; `None` for a surface without sharp edges and borders.
+pub(super) fn size(surface: &Surface) -> Option<f64> {
+    let edges = Edges::new(surface);
+    let chains = least(edges.chains(surface))?;
+    Some(least(edges.widths(surface)).map_or(chains, |widths| widths.min(chains)))
+}
+
+/// The least of sizes with their weights, once those of the slivers are left out.
+fn least(mut sizes: Vec<(f64, f64)>) -> Option<f64> {
+    sizes.retain(|(size, _)| *size > 0.0);
+    sizes.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut left = SLIVERS * sizes.iter().map(|(_, weight)| weight).sum::<f64>();
+    sizes.iter().find_map(|(size, weight)| {
+        left -= weight;
+        (left <= 0.0).then_some(*size)
+    })
+}
+
+/// Edges between triangles.
+struct Edges {
+    /// Vertices of sharp edges and borders, and the triangles beside them.
+    sharp: Vec<([u32; 2], Vec<u32>)>,
+    /// Pairs of triangles that an edge joins smoothly.
+    smooth: Vec<[u32; 2]>,
+}
+
+impl Edges {
+    fn new(surface: &Surface) -> Self {
+        let sides = |(t, v): (usize, &[u32; 3])| {
+            let side = |i: usize, j: usize| ([v[i].min(v[j]), v[i].max(v[j])], t as u32, v[i] < v[j]);
+            [side(0, 1), side(1, 2), side(2, 0)]
+        };
+        let mut all: Vec<([u32; 2], u32, bool)> =
+            surface.triangles.iter().enumerate().flat_map(sides).collect();
+        all.sort_unstable();
+        let (mut sharp, mut smooth) = (Vec::new(), Vec::new());
+        for beside in all.chunk_by(|a, b| a.0 == b.0) {
+            match beside {
+                [(_, a, up), (_, b, down)] if cosine(surface, *a, *b, up == down) >= SHARP => {
+                    smooth.push([*a, *b])
+                }
+                _ => sharp.push((beside[0].0, beside.iter().map(|side| side.1).collect())),
+            }
+        }
+        Self { sharp, smooth }
+    }
+
+    /// The extent and the length of every chain of sharp edges.
+    fn chains(&self, surface: &Surface) -> Vec<(f64, f64)> {
+        let at = |v: u32| surface.vertices[v as usize];
+        let mut ends: Vec<(u32, u32)> =
+            self.sharp.iter().zip(0..).flat_map(|((edge, _), e)| edge.map(|v| (v, e))).collect();
+        ends.sort_unstable();
+        let mut sets = UnionFind::new(self.sharp.len());
+        for meeting in ends.chunk_by(|a, b| a.0 == b.0) {
+            let [(v, a), (_, b)] = *meeting else { continue };
+            let away = |e: u32| {
+                let [p, q] = self.sharp[e as usize].0;
+                unit(sub(at(p + q - v), at(v)))
+            };
+            if -dot(away(a), away(b)) >= TURN {
+                sets.union(a, b);
+            }
+        }
+        let mut boxes = vec![([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], 0.0); self.sharp.len()];
+        for (([p, q], _), e) in self.sharp.iter().zip(0..) {
+            let ([low, high], length) = &mut boxes[sets.find(e) as usize];
+            for point in [at(*p), at(*q)] {
+                *low = std::array::from_fn(|a| low[a].min(point[a]));
+                *high = std::array::from_fn(|a| high[a].max(point[a]));
+            }
+            *length += distance(at(*p), at(*q));
+        }
+        boxes
+            .into_iter()
+            .filter(|b| b.1 > 0.0)
+            .map(|([low, high], length)| (distance(low, high), length))
+            .collect()
+    }
+
+    /// The width of every face between sharp edges, twice its area over its boundary, and the length of that. A long strip has its
+    /// width, a disc its radius, the wall of a hole its depth.
+    fn widths(&self, surface: &Surface) -> Vec<(f64, f64)> {
+        let mut sets = UnionFind::new(surface.triangles.len());
+        for &[a, b] in &self.smooth {
+            sets.union(a, b);
+        }
+        let mut faces = vec![(0.0, 0.0); surface.triangles.len()];
+        for (&area, t) in surface.areas.iter().zip(0..) {
+            faces[sets.find(t) as usize].0 += area;
+        }
+        for ([p, q], beside) in &self.sharp {
+            let length = distance(surface.vertices[*p as usize], surface.vertices[*q as usize]);
+            beside.iter().for_each(|&t| faces[sets.find(t) as usize].1 += length);
+        }
+        faces
+            .into_iter()
+            .filter(|face| face.1 > 0.0)
+            .map(|(area, around)| (2.0 * area / around, around))
+            .collect()
+    }
+}
+
+/// The cosine of the angle between the normals of two triangles; `same` says that both run along their edge in one sense, so that one
+/// of them is the wrong way round.
+fn cosine(surface: &Surface, a: u32, b: u32, same: bool) -> f64 {
+    let [n, m] = [a, b].map(|t| surface.normals[t as usize]);
+    if same { -dot(n, m) } else { dot(n, m) }
+}
