@@ -224,23 +224,7 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
     // Readers of columns; what filters need is dropped below.
     let all = ReadOptions { attributes: true, ..options.clone() };
     let (asked, options) = (options, if filters { &all } else { options });
-    let decoded = match format {
-        Format::Ply => ply::read(&mut source, options)?,
-        Format::Table => table::read(&mut source, options)?,
-        Format::Obj => obj::read(&mut source, options)?,
-        Format::Pcd => pcd::read(&mut source, options)?,
-        Format::Las => las::read(&mut source, options)?,
-        Format::E57 => e57::read(&mut source, options)?,
-        Format::Ptx => ptx::read(&mut source, options)?,
-        Format::Raster => raster::read(&mut source, options)?,
-        Format::Stl => stl::read(&mut source, options)?,
-        Format::Off => off::read(&mut source, options)?,
-        Format::Npy => npy::read(&mut source, options)?,
-        Format::Npz => npz::read(&mut source, options)?,
-        Format::Parquet => parquet::read(&mut source, options)?,
-        Format::Expe => expe::read(&mut source, options)?,
-        Format::Gltf => gltf::read(&mut source, options)?,
-    };
+    let decoded = by_format(&mut source, format, options)?;
     source.drain()?;
     let (decoded, sampled) = mesh::sampled(decoded, options);
     let Decoded { mut cloud, ignored, warnings, beside, missing, crs, epsg, las, .. } = decoded;
@@ -267,4 +251,25 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         sha256,
         bytes,
     })
+}
+
+/// The content of an input, by the reader of its format.
+fn by_format(source: &mut Source, format: Format, options: &ReadOptions) -> Result<Decoded, Error> {
+    match format {
+        Format::Ply => ply::read(source, options),
+        Format::Table => table::read(source, options),
+        Format::Obj => obj::read(source, options),
+        Format::Pcd => pcd::read(source, options),
+        Format::Las => las::read(source, options),
+        Format::E57 => e57::read(source, options),
+        Format::Ptx => ptx::read(source, options),
+        Format::Raster => raster::read(source, options),
+        Format::Stl => stl::read(source, options),
+        Format::Off => off::read(source, options),
+        Format::Npy => npy::read(source, options),
+        Format::Npz => npz::read(source, options),
+        Format::Parquet => parquet::read(source, options),
+        Format::Expe => expe::read(source, options),
+        Format::Gltf => gltf::read(source, options),
+    }
 }
