@@ -49,7 +49,8 @@ fn one(
     let hash = outputs.iter().any(|path| matches!(network_format(path), Ok(NetworkFormat::Json)));
     let input = work.load(origin, &ReadOptions { attributes: false, hash, ..Default::default() })?;
     let mut found = work.extract(origin, &input)?;
-    let left_out = choose(args, &mut found);
+    let mut lines = summary::of(&input, &found, work.args.running.verbose);
+    lines.extend(choose(args, &mut found));
     let context =
         NetworkContext { view, millimetres: args.millimetres, ..context(&input, &work.params, &found) };
     let writing = Instant::now();
@@ -58,8 +59,6 @@ fn one(
     }
     let staged = stages::write(work, args.stages.as_deref(), origin, &input.cloud, &found)?;
     let [wrote, total] = [writing, start].map(|t| t.elapsed().as_secs_f64());
-    let mut lines = summary::of(&input, &found, work.args.running.verbose);
-    lines.extend(left_out);
     lines.extend(summary::unplaced(&input, outputs));
     lines.push(summary::times(&input, &found.report, wrote, total));
     lines.push(summary::written(&[outputs, &staged].concat()));
