@@ -12,7 +12,7 @@ use lineament::{Cloud, Error, Extraction, Params, Progress, Stage, extract, extr
 /// Work shorter than this shows nothing.
 const PATIENCE: Duration = Duration::from_millis(700);
 const TICK: Duration = Duration::from_millis(120);
-/// Stages with the share of the time that they take of an extraction, as measured on scans of a million points.
+/// Stages with their rough share of the time of an extraction.
 const SHARES: [(Stage, f64); 7] = [
     (Stage::Localise, 0.03),
     (Stage::Neighbors, 0.17),
