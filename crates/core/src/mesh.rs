@@ -6,18 +6,14 @@
 mod canonical;
 mod dense;
 mod eliminate;
+mod faces;
 mod features;
 mod scatter;
 mod triangles;
 
-use canonical::Surface;
+pub use faces::Faces;
 
-/// Faces of a mesh, each with three vertices or more.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Faces {
-    corners: Vec<u32>,
-    ends: Vec<usize>,
-}
+use canonical::Surface;
 
 /// The points to take of a mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -68,37 +64,6 @@ pub fn sample(vertices: &[[f64; 3]], faces: &Faces, points: MeshPoints) -> Optio
         kept.iter().map(|&i| surface.to_world(candidates[i as usize].position)).collect();
     let spacing = (surface.area / points.len().max(1) as f64).sqrt() / surface.scale;
     Some(MeshSample { points, spacing, feature: feature.map(|size| size / surface.scale) })
-}
-
-impl Faces {
-    /// Adds a face by the indices of its vertices, counted from 0; one with fewer than three has no area and is left out.
-    pub fn push(&mut self, face: &[u32]) {
-        if face.len() >= 3 {
-            self.corners.extend_from_slice(face);
-            self.ends.push(self.corners.len());
-        }
-    }
-
-    /// The number of faces.
-    pub fn len(&self) -> usize {
-        self.ends.len()
-    }
-
-    /// Whether there is none.
-    pub fn is_empty(&self) -> bool {
-        self.ends.is_empty()
-    }
-
-    /// The faces in their order.
-    pub fn iter(&self) -> impl Iterator<Item = &[u32]> {
-        let starts = std::iter::once(0).chain(self.ends.iter().copied());
-        starts.zip(&self.ends).map(|(start, &end)| &self.corners[start..end])
-    }
-
-    /// The greatest index of a vertex.
-    pub fn greatest(&self) -> Option<u32> {
-        self.corners.iter().copied().max()
-    }
 }
 
 #[cfg(test)]

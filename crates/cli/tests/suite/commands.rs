@@ -294,28 +294,6 @@ fn parameters_that_were_used_give_the_same_bytes_again() {
 }
 
 #[test]
-fn lines_can_be_chosen_by_length_and_certainty() {
-    let sandbox = Sandbox::new();
-    sandbox.write_points("cube.xyz", &cube());
-    let count = |args: &[&str]| {
-        sandbox.run(&[&["extract", "cube.xyz", "-o", "a.json"], args].concat()).expect(0);
-        let root = json(&sandbox.path("a.json"));
-        ["strips", "nodes"].map(|list| root[list].as_array().unwrap().len())
-    };
-    let length = json(&{
-        count(&[]);
-        sandbox.path("a.json")
-    })["strips"][0]["length"]
-        .as_f64()
-        .unwrap();
-    assert_eq!(count(&[]), [12, 8]);
-    assert_eq!(count(&["--min-length", &format!("{}", 0.9 * length), "--min-confidence", "0"]), [12, 8]);
-    assert_eq!(count(&["--min-length", &format!("{}", 2.0 * length)]), [0, 0]);
-    assert_eq!(count(&["--min-confidence", "1"])[0], 0);
-    sandbox.run(&["extract", "cube.xyz", "--min-confidence", "2"]).expect(2);
-}
-
-#[test]
 fn a_mesh_is_sampled_and_the_summary_says_so() {
     let sandbox = Sandbox::new();
     let corner = |i: usize| [0, 1, 2].map(|a| if i >> a & 1 == 1 { [30, 20, 10][a] } else { 0 });

@@ -85,7 +85,7 @@ fn the_ridge_is_drawn_above_the_eaves_and_to_scale() {
         let svg = sandbox.read_text("a.svg");
         assert!(svg.contains("one unit of the input is 10.0 mm"), "{svg}");
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for path in svg.split("d=\"").skip(1).map(|rest| rest.split('"').next().unwrap()) {
+        for path in svg.split(" d=\"").skip(1).map(|rest| rest.split('"').next().unwrap()) {
             for place in path.split(['M', 'L', 'Z']).filter(|place| !place.is_empty()) {
                 let y: f64 = place.split(' ').nth(1).unwrap().parse().unwrap();
                 (low, high) = (low.min(y), high.max(y));

@@ -3,7 +3,8 @@
 
 use rayon::prelude::*;
 
-use super::{Faces, triangles};
+use super::faces::Faces;
+use super::triangles;
 use crate::math::vec3::{cross, norm, scale, sub};
 
 /// Triangles that share the vertices they meet in.

@@ -1,0 +1,48 @@
+//! Lines chosen by their length and certainty.
+
+use crate::common::{Sandbox, cube, json};
+
+#[test]
+fn lines_can_be_chosen_by_length_and_certainty() {
+    let sandbox = Sandbox::new();
+    sandbox.write_points("cube.xyz", &cube());
+    let count = |args: &[&str]| {
+        sandbox.run(&[&["extract", "cube.xyz", "-o", "a.json"], args].concat()).expect(0);
+        let root = json(&sandbox.path("a.json"));
+        ["strips", "nodes"].map(|list| root[list].as_array().unwrap().len())
+    };
+    let length = json(&{
+        count(&[]);
+        sandbox.path("a.json")
+    })["strips"][0]["length"]
+        .as_f64()
+        .unwrap();
+    assert_eq!(count(&[]), [12, 8]);
+    assert_eq!(count(&["--min-length", &format!("{}", 0.9 * length), "--min-confidence", "0"]), [12, 8]);
+    assert_eq!(count(&["--min-length", &format!("{}", 2.0 * length)]), [0, 0]);
+    sandbox.run(&["extract", "cube.xyz", "--min-confidence", "2"]).expect(2);
+}
+
+#[test]
+fn lines_less_certain_than_asked_are_left_out() {
+    let sandbox = Sandbox::new();
+    let confidences = |args: &[&str]| {
+        sandbox.run(&[&["extract", "--sample", "bracket", "-o", "a.json"], args].concat()).expect(0);
+        let root = json(&sandbox.path("a.json"));
+        let mut all: Vec<f64> = root["strips"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|strip| strip["confidence"].as_f64().unwrap())
+            .collect();
+        all.sort_by(f64::total_cmp);
+        all
+    };
+    let all = confidences(&[]);
+    let middle = all[all.len() / 2];
+    assert!(all[0] < middle);
+    assert_eq!(
+        confidences(&["--min-confidence", &middle.to_string()]),
+        all.iter().copied().filter(|&c| c >= middle).collect::<Vec<_>>()
+    );
+}
