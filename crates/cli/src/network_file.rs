@@ -7,7 +7,8 @@ use serde_json::Value;
 
 use crate::failure::{Code, Failure};
 
-const SCHEMA: &str = "lineament-network/1";
+/// The schemas that are read; newest first.
+const SCHEMAS: [&str; 2] = ["lineament-network/2", "lineament-network/1"];
 
 /// Reads nodes and strips; curves, sources and measures are left out.
 ///
@@ -25,9 +26,9 @@ pub fn read(path: &Path) -> Result<Network, Failure> {
 
 fn parse(root: &Value) -> Result<Network, String> {
     match root["schema"].as_str() {
-        Some(SCHEMA) => {}
-        Some(other) => return Err(format!("schema: `{other}` where `{SCHEMA}` was expected")),
-        None => return Err(format!("no `schema`; `{SCHEMA}` was expected")),
+        Some(known) if SCHEMAS.contains(&known) => {}
+        Some(other) => return Err(format!("schema: `{other}` where `{}` was expected", SCHEMAS[0])),
+        None => return Err(format!("no `schema`; `{}` was expected", SCHEMAS[0])),
     }
     Ok(Network { nodes: items(root, "nodes", node)?, strips: items(root, "strips", strip)? })
 }
@@ -62,6 +63,7 @@ fn strip(value: &Value) -> Result<Strip, String> {
         sources: Vec::new(),
         fold_deg: None,
         evidence: None,
+        curves: Vec::new(),
         deviation: 0.0,
         confidence: value["confidence"].as_f64().unwrap_or(0.0),
     })
@@ -80,7 +82,7 @@ mod tests {
     #[test]
     fn nodes_and_strips_are_read() {
         let root = json!({
-            "schema": SCHEMA,
+            "schema": SCHEMAS[1],
             "nodes": [{"id": 0, "position": [1, 2, 3.5], "kind": "end", "degree": 1}],
             "strips": [{"id": 0, "kind": "border", "closed": false, "start": 0, "end": 0, "points": [[0, 0, 0], [1, 0, 0]]}],
         });
@@ -95,9 +97,12 @@ mod tests {
         let cases = [
             (json!({}), "schema"),
             (json!({"schema": "other/2"}), "other/2"),
-            (json!({"schema": SCHEMA, "nodes": []}), "strips"),
-            (json!({"schema": SCHEMA, "nodes": [{"position": [1, 2]}], "strips": []}), "nodes[0].position"),
-            (json!({"schema": SCHEMA, "nodes": [], "strips": [{"kind": "ridge"}]}), "strips[0].kind"),
+            (json!({"schema": SCHEMAS[1], "nodes": []}), "strips"),
+            (
+                json!({"schema": SCHEMAS[1], "nodes": [{"position": [1, 2]}], "strips": []}),
+                "nodes[0].position",
+            ),
+            (json!({"schema": SCHEMAS[1], "nodes": [], "strips": [{"kind": "ridge"}]}), "strips[0].kind"),
         ];
         for (root, part) in cases {
             let error = parse(&root).unwrap_err();

@@ -12,7 +12,7 @@ mod systems;
 pub(crate) mod tensor;
 pub(crate) mod trees;
 #[cfg(test)]
-mod uniform;
+pub(crate) mod uniform;
 pub(crate) mod union_find;
 pub(crate) mod vec2;
 pub mod vec3;

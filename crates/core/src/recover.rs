@@ -10,10 +10,11 @@ pub(crate) use spline::span_spacings;
 pub use verify::take_back;
 pub use world::to_world;
 
-use crate::network::{Network, Node, NodeKind, StripKind};
+use crate::network::{Network, Node, NodeKind, Strip, StripKind};
 use crate::params::SplineParams;
-use crate::pattern::{LineGraph, Pattern, paths};
+use crate::pattern::{LineGraph, Path, Pattern, paths};
 use crate::surface::Scales;
+use rayon::prelude::*;
 
 /// Strips and nodes of a pattern, with smooth curves (Gumhold 2001, section 4, the simple solution); local frame, sources as
 /// canonical indices.
@@ -48,10 +49,13 @@ fn append(
             source: lines.points[cluster.vertex as usize],
         });
     }
-    for path in paths {
+    let nodes = &network.nodes;
+    let strip = |path: &Path| {
         let ends = path.ends.map(|[a, b]| [first + a, first + b]);
-        network.strips.push(spline::strip(network, kind, lines, &path, ends, scales, params));
-    }
+        spline::strip(nodes, kind, lines, path, ends, scales, params)
+    };
+    let strips: Vec<Strip> = paths.par_iter().map(strip).collect();
+    network.strips.extend(strips);
 }
 
 #[cfg(test)]

@@ -39,6 +39,7 @@ fn network(points: usize) -> Network {
         sources: vec![0],
         fold_deg: None,
         evidence: None,
+        curves: Vec::new(),
         deviation: 0.001,
         confidence: 0.9,
     };

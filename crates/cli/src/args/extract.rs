@@ -50,6 +50,9 @@ pub struct Extract {
     /// Millimetres of a drawing (SVG) for one unit of the input [default: fit 200 mm]
     #[arg(long, value_name = "MM", value_parser = parse::length)]
     pub millimetres: Option<f64>,
+    /// Version of the JSON schema: 2, or 1, which has no typed curves
+    #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u8).range(1..=2))]
+    pub schema: u8,
     /// Folder for the stages of the method `segments`: its segmentation and each of its graphs (PLY), with their counts
     /// and times (stages.json); several inputs get a folder each inside it
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]

@@ -51,8 +51,12 @@ fn one(
     let mut found = work.extract(origin, &input)?;
     let mut lines = summary::of(&input, &found, work.args.running.verbose);
     lines.extend(choose(args, &mut found));
-    let context =
-        NetworkContext { view, millimetres: args.millimetres, ..context(&input, &work.params, &found) };
+    let context = NetworkContext {
+        view,
+        millimetres: args.millimetres,
+        first_schema: args.schema == 1,
+        ..context(&input, &work.params, &found)
+    };
     let writing = Instant::now();
     for path in outputs {
         outputs::write(path, || write_network(path, &work.inputs_with(&input), &found.network, &context))?;

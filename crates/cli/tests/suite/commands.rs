@@ -15,7 +15,7 @@ fn extract_writes_every_output_in_the_format_of_its_extension() {
         "8 junctions",
         "a.json, b.obj, c.ply, d.dxf",
     ]);
-    assert_eq!(json(&sandbox.path("a.json"))["schema"], "lineament-network/1");
+    assert_eq!(json(&sandbox.path("a.json"))["schema"], "lineament-network/2");
     assert!(sandbox.read_text("b.obj").lines().any(|line| line.starts_with("l ")));
     assert!(sandbox.read("c.ply").starts_with(b"ply\n"));
     assert!(sandbox.read_text("d.dxf").contains("POLYLINE"));

@@ -36,6 +36,7 @@ pub(crate) fn strip(curve: &TruthCurve) -> Strip {
         sources: vec![0, 1],
         fold_deg: None,
         evidence: None,
+        curves: Vec::new(),
         deviation: 0.0,
         confidence: 1.0,
     }

@@ -1,6 +1,7 @@
 //! Strips: the lines of a network.
 
 use crate::curve::BSpline;
+use crate::curve::pieces::Piece;
 use crate::math::vec3::distance;
 
 /// One feature line.
@@ -18,6 +19,8 @@ pub struct Strip {
     pub points: Vec<[f64; 3]>,
     /// The fitted curve, from which `points` were taken.
     pub curve: BSpline,
+    /// The line as lines, arcs, circles and splines end to end, their ranges as indices of `points`; empty where none were sought.
+    pub curves: Vec<Piece>,
     /// Points of the cloud along the strip, in order, as indices into the input.
     pub sources: Vec<u32>,
     /// Root mean square distance of the source points from the curve, in the unit of the input.

@@ -154,6 +154,7 @@ mod tests {
             deviation: 0.0,
             fold_deg: None,
             evidence: None,
+            curves: Vec::new(),
             confidence: 1.0,
         };
         for step in [1e-310, 1e-100, 1e-3] {

@@ -1,8 +1,9 @@
 //! Fits a smooth spline to a strip (Gumhold 2001, section 4, the simple solution).
 
+use crate::curve::pieces::{Noise, Piece, pieces};
 use crate::curve::{BSpline, FitOptions, fit};
 use crate::math::vec3::{distance, distance2};
-use crate::network::{Network, Strip, StripKind};
+use crate::network::{Node, Strip, StripKind};
 use crate::params::SplineParams;
 use crate::pattern::{LineGraph, Path};
 use crate::resolution::Resolution;
@@ -10,6 +11,11 @@ use crate::surface::Scales;
 
 /// Greatest number of points for one span of a curve: enough to follow any cubic, even where the span is very long.
 const SPAN_POINTS: usize = 64;
+
+/// Standard deviation across the line of a vertex of a clean cloud, in spacings.
+const LEAST_ERROR: f64 = 0.07;
+/// Length over which the vertices of a line err alike, as they come from the same points, in spacings.
+const ALIKE: f64 = 3.0;
 
 /// The span for the noise, in units of the resolution: the more noise, the more data for each control point.
 pub(crate) fn span_spacings(params: &SplineParams, resolution: Resolution) -> f64 {
@@ -19,7 +25,7 @@ pub(crate) fn span_spacings(params: &SplineParams, resolution: Resolution) -> f6
 
 /// The strip along a path; `ends` are its nodes in the network.
 pub(super) fn strip(
-    network: &Network,
+    nodes: &[Node],
     kind: StripKind,
     lines: &LineGraph,
     path: &Path,
@@ -34,26 +40,52 @@ pub(super) fn strip(
     let mut positions: Vec<[f64; 3]> = path.vertices.iter().map(|&v| lines.positions[v as usize]).collect();
     if let Some([start, end]) = ends {
         let last = positions.len() - 1;
-        positions[0] = network.nodes[start as usize].position;
-        positions[last] = network.nodes[end as usize].position;
+        positions[0] = nodes[start as usize].position;
+        positions[last] = nodes[end as usize].position;
     }
     let (span, smoothing) = (span_spacings(params, resolution) * resolution.unit(), params.smoothing);
     let options = FitOptions { span, smoothing, closed: ends.is_none() };
     let (curve, parameters) = fit(&positions, options);
     let squares: f64 = positions.iter().zip(&parameters).map(|(&p, &t)| distance2(p, curve.point(t))).sum();
+    let points = polyline(&curve, params.step_spacings * resolution.spacing);
+    let curves = typed(&positions, &parameters, &curve, points.len(), resolution);
     Strip {
         kind,
         closed: ends.is_none(),
         start: ends.map(|e| e[0]),
         end: ends.map(|e| e[1]),
-        points: polyline(&curve, params.step_spacings * resolution.spacing),
+        points,
         curve,
+        curves,
         sources,
         fold_deg: fold_deg(lines, path),
         evidence: evidence(lines, path),
         deviation: (squares / positions.len() as f64).sqrt(),
         confidence: (1.0 - mean(path, |v| lines.penalty[v])).clamp(0.0, 1.0),
     }
+}
+
+/// The strip in pieces of a type. `count` points lie at even parameters on its curve.
+fn typed(
+    positions: &[[f64; 3]],
+    parameters: &[f64],
+    curve: &BSpline,
+    count: usize,
+    resolution: Resolution,
+) -> Vec<Piece> {
+    let (from, to) = curve.domain();
+    let sigma = (LEAST_ERROR * resolution.spacing).hypot(resolution.noise);
+    let noise = Noise::new(sigma, ALIKE * resolution.spacing, positions.len(), to - from);
+    let steps = if curve.periodic { count } else { count - 1 };
+    let index = |k: usize| {
+        let t = parameters.get(k).copied().unwrap_or(to);
+        (((t - from) / (to - from) * steps as f64).round() as usize).min(steps)
+    };
+    let mut curves = pieces(positions, curve.periodic, &noise);
+    for piece in &mut curves {
+        (piece.first, piece.last) = (index(piece.first), index(piece.last));
+    }
+    curves
 }
 
 /// The mean of the known values at the vertices of a path, over all vertices.

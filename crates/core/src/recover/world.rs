@@ -20,6 +20,11 @@ pub fn to_world(mut network: Network, frame: &Frame, source: &[u32]) -> (Network
         strip.points.dedup();
         strip.curve = strip.curve.mapped(placed, unit);
         strip.deviation *= unit;
+        let last = strip.points.len() - usize::from(!strip.closed);
+        for piece in &mut strip.curves {
+            piece.place(placed, unit);
+            (piece.first, piece.last) = (piece.first.min(last), piece.last.min(last));
+        }
         for s in &mut strip.sources {
             *s = source[*s as usize];
         }

@@ -62,7 +62,7 @@ pub enum Format {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NetworkFormat {
-    /// The documented schema `lineament-network/1`.
+    /// The documented schema `lineament-network/2`.
     Json,
     /// Wavefront lines.
     Obj,
@@ -112,7 +112,7 @@ pub enum PointFormat {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PatchFormat {
-    /// The schema `lineament-network/1` with loops, sides and surfaces.
+    /// The schema `lineament-network/2` with loops, sides and surfaces.
     Json,
     /// The loops as 3D polylines, a layer for each patch.
     Dxf,

@@ -28,10 +28,10 @@ const fn of_points(
 /// name.
 pub const FORMATS: &[FileFormat] = &[
     FileFormat {
-        network: Some((NetworkFormat::Json, "everything found (schema lineament-network/1)")),
+        network: Some((NetworkFormat::Json, "everything found (schema lineament-network/2)")),
         patches: Some((
             PatchFormat::Json,
-            "loops, neighbours, areas and surfaces (schema lineament-network/1)",
+            "loops, neighbours, areas and surfaces (schema lineament-network/2)",
         )),
         section: Some((SectionFormat::Json, "everything found (schema lineament-section/1)")),
         ..named("JSON", &["json"])

@@ -10,6 +10,7 @@ mod gpkg;
 pub(super) mod json;
 mod obj;
 mod patch;
+mod piece;
 mod ply;
 mod svg;
 mod vtp;

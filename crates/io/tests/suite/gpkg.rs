@@ -40,6 +40,7 @@ fn strips(counts: impl Iterator<Item = usize>) -> Network {
         sources: vec![0],
         fold_deg: Some(90.0),
         evidence: None,
+        curves: Vec::new(),
         deviation: 0.0,
         confidence: 1.0,
     };

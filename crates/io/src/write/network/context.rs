@@ -30,6 +30,8 @@ pub struct NetworkContext {
     pub view: Option<[f64; 3]>,
     /// Millimetres of a drawing for one unit of the input; `None` fits the drawing to 200 mm.
     pub millimetres: Option<f64>,
+    /// Whether JSON is written in the schema `lineament-network/1`, which knows no typed curves, instead of `/2`.
+    pub first_schema: bool,
     /// The patches between the strips, if they were looked for.
     pub patches: Option<Patches>,
 }

@@ -1,15 +1,16 @@
-//! A network in the schema `lineament-network/1`, which `docs/schema-network-1.md` describes.
+//! A network in the schema `lineament-network/2`, which `docs/schema-network-2.md` describes, or on request in
+//! `lineament-network/1`, which lacks the typed curves.
 
 use super::context::{self, NetworkContext, Parameter};
-use super::patch;
+use super::{patch, piece};
 use crate::write::encode::json::{Head, Index, Number, Point, Text, Value, lines, list};
 use lineament::curve::BSpline;
 use lineament::patch::Sides;
 use lineament::{Network, Node, Strip};
 use std::io::{self, Write};
 
-/// The name of the schema, as it stands in every file.
-const SCHEMA: &str = "lineament-network/1";
+/// The names of the schemas, as they stand in every file: today's, and the first.
+const SCHEMAS: [&str; 2] = ["lineament-network/2", "lineament-network/1"];
 
 /// Writes the network: a line for each node and each strip. Numbers are the shortest decimals that give the same f64
 /// back.
@@ -19,7 +20,7 @@ pub(in crate::write) fn write(
     context: &NetworkContext,
 ) -> io::Result<()> {
     Head {
-        schema: SCHEMA,
+        schema: SCHEMAS[usize::from(context.first_schema)],
         version: &context.program_version,
         input: &context.input_name,
         sha256: context.input_sha256.as_deref(),
@@ -36,7 +37,8 @@ pub(in crate::write) fn write(
     write!(out, "\"nodes\": [")?;
     lines(out, &network.nodes, node)?;
     write!(out, "],\n\"strips\": [")?;
-    lines(out, &network.strips, |out, id, s| strip(out, id, s, context.sides(id)))?;
+    let typed = !context.first_schema;
+    lines(out, &network.strips, |out, id, s| strip(out, id, s, typed, context.sides(id)))?;
     write!(out, "],\n\"patches\": [")?;
     lines(out, context.patches.as_ref().map_or(&[][..], |p| &p.patches), patch::patch)?;
     writeln!(out, "]\n}}")
@@ -52,7 +54,13 @@ fn node(out: &mut dyn Write, id: usize, node: &Node) -> io::Result<()> {
     )
 }
 
-fn strip(out: &mut dyn Write, id: usize, strip: &Strip, sides: Option<&Sides>) -> io::Result<()> {
+fn strip(
+    out: &mut dyn Write,
+    id: usize,
+    strip: &Strip,
+    typed: bool,
+    sides: Option<&Sides>,
+) -> io::Result<()> {
     let closed = strip.closed;
     write!(out, "{{\"id\": {id}, \"kind\": \"{}\", \"closed\": {closed}, ", strip.kind.name())?;
     write!(out, "\"start\": {}, \"end\": {}, ", Index(strip.start), Index(strip.end))?;
@@ -62,6 +70,11 @@ fn strip(out: &mut dyn Write, id: usize, strip: &Strip, sides: Option<&Sides>) -
     list(out, &strip.points, |out, _, point| write!(out, "{}", Point(point)))?;
     write!(out, "], \"curve\": ")?;
     curve(out, &strip.curve)?;
+    if typed {
+        write!(out, ", \"curves\": [")?;
+        list(out, &strip.curves, |out, _, p| piece::piece(out, p))?;
+        write!(out, "]")?;
+    }
     write!(out, ", \"sources\": [")?;
     list(out, &strip.sources, |out, _, source| write!(out, "{source}"))?;
     write!(out, "], \"fold_deg\": {}", Number(context::fold_deg(strip, sides)))?;
@@ -76,13 +89,10 @@ fn strip(out: &mut dyn Write, id: usize, strip: &Strip, sides: Option<&Sides>) -
 }
 
 fn curve(out: &mut dyn Write, curve: &BSpline) -> io::Result<()> {
-    let BSpline { degree, knots, controls, periodic } = curve;
-    if controls.is_empty() {
+    if curve.controls.is_empty() {
         return write!(out, "null");
     }
-    write!(out, "{{\"type\": \"b-spline\", \"degree\": {degree}, \"periodic\": {periodic}, \"knots\": [")?;
-    list(out, knots, |out, _, &knot| write!(out, "{}", Number(knot)))?;
-    write!(out, "], \"controls\": [")?;
-    list(out, controls, |out, _, control| write!(out, "{}", Point(control)))?;
-    write!(out, "]}}")
+    write!(out, "{{\"type\": \"b-spline\"")?;
+    piece::spline(out, curve)?;
+    write!(out, "}}")
 }

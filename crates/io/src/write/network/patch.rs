@@ -1,4 +1,4 @@
-//! A patch as an object of the schema `lineament-network/1`.
+//! A patch as an object of the schema `lineament-network/2`.
 
 use crate::write::encode::json::{Number, Point, list};
 use lineament::Patch;

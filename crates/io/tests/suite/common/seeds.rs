@@ -1,9 +1,29 @@
 //! A network, and small inputs in every format: what damaged inputs and the fuzz targets begin with.
 
 use ::parquet::file::properties::WriterVersion;
-use lineament::curve::BSpline;
+use lineament::curve::pieces::{Piece, Shape, Sigma};
+use lineament::curve::{BSpline, Round};
 use lineament::{Attribute, Cloud, Column, Network, Node, NodeKind, Strip, StripKind};
 use lineament_io::{NetworkFormat, PointFormat, PointTable, write_network_to, write_points_to};
+
+/// A line over the first step and one curve of each other kind over the rest.
+fn curves(points: &[[f64; 3]]) -> Vec<Piece> {
+    let [from, to] = [points[1], points[points.len() - 1]];
+    let round = Round { centre: [1.0, -2.0, 0.5], normal: [0.0, 0.0, 1.0], radius: 1.0 / 3.0 };
+    let spline =
+        BSpline { degree: 1, knots: vec![0.0, 0.0, 1.0, 1.0], controls: vec![from, to], periodic: false };
+    let covariance = [[1e-6; 4]; 4];
+    let known = Sigma::Round { radius: 1e-3, normal: 0.25, covariance };
+    let straight = Sigma::Line { offset: 1e-3, direction: 0.125 };
+    let piece =
+        |shape, first, from, to, sigma| Piece { shape, from, to, first, last: 1, deviation: 1e-3, sigma };
+    vec![
+        piece(Shape::Line, 0, points[0], from, Some(straight)),
+        piece(Shape::Arc { round, sweep: 1.5 }, 1, from, to, Some(known)),
+        piece(Shape::Circle(round), 1, to, to, None),
+        piece(Shape::Spline(spline), 1, from, to, None),
+    ]
+}
 
 /// Two creases and a border loop: a junction-like node with an open strip, a strip back to its own node, a loop.
 pub fn network() -> Network {
@@ -22,6 +42,7 @@ pub fn network() -> Network {
         sources: vec![0, 1],
         fold_deg: None,
         evidence: None,
+        curves: curves(points),
         deviation: 1e-7,
         confidence: 0.875,
     };

@@ -1,8 +1,8 @@
-//! The schema `lineament-network/1`.
+//! The schemas `lineament-network/2` and `lineament-network/1`.
 
 use super::{context, floats, written};
 use crate::common::network;
-use lineament_io::NetworkFormat;
+use lineament_io::{NetworkContext, NetworkFormat, write_network_to};
 use serde_json::Value;
 use std::path::Path;
 
@@ -10,10 +10,17 @@ fn json() -> Value {
     serde_json::from_slice(&written(NetworkFormat::Json)).unwrap()
 }
 
+fn first_schema() -> Value {
+    let mut bytes = Vec::new();
+    let context = NetworkContext { first_schema: true, ..context() };
+    write_network_to(&mut bytes, NetworkFormat::Json, &network(), &context).unwrap();
+    serde_json::from_slice(&bytes).unwrap()
+}
+
 #[test]
 fn json_gives_every_number_back_bit_for_bit() {
     let (json, network) = (json(), network());
-    assert_eq!(json["schema"], "lineament-network/1");
+    assert_eq!(json["schema"], "lineament-network/2");
     for (node, there) in network.nodes.iter().zip(json["nodes"].as_array().unwrap()) {
         assert_eq!(floats(&there["position"]), node.position);
         assert_eq!(there["kind"], node.kind.name());
@@ -88,15 +95,32 @@ fn conforms(value: &Value, schema: &Value, root: &Value, at: &str) {
 }
 
 #[test]
-fn json_conforms_to_the_published_schema() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/schema-network-1.json");
-    let schema: Value = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
-    conforms(&json(), &schema, &schema, "file");
+fn json_conforms_to_the_published_schemas() {
+    for (version, json) in [(2, json()), (1, first_schema())] {
+        let name = format!("../../docs/schema-network-{version}.json");
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
+        let schema: Value = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
+        conforms(&json, &schema, &schema, "file");
+    }
+}
+
+#[test]
+fn typed_curves_stand_in_the_second_schema_alone() {
+    let (second, first) = (json(), first_schema());
+    let curves = second["strips"][0]["curves"].as_array().unwrap();
+    let names: Vec<&str> = curves.iter().map(|c| c["type"].as_str().unwrap()).collect();
+    assert_eq!(names, ["line", "arc", "circle", "b-spline"]);
+    assert_eq!(curves[1]["radius"], 1.0 / 3.0);
+    assert_eq!(curves[1]["sweep_deg"], 1.5_f64.to_degrees());
+    assert_eq!(curves[1]["range"], serde_json::json!([1, 1]));
+    assert_eq!(curves[1]["covariance"][3][3], 1e-6);
+    assert_eq!(first["schema"], "lineament-network/1");
+    assert!(first["strips"][0].get("curves").is_none());
 }
 
 #[test]
 fn the_schema_page_names_every_key() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/schema-network-1.md");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/schema-network-2.md");
     let page = std::fs::read_to_string(path).unwrap();
     fn keys(value: &Value, into: &mut Vec<String>) {
         match value {

@@ -1,0 +1,123 @@
+//! Runs of pieces as one curve where that is the shorter description: lines and arcs that the search had to break where no break is, short
+//! arcs that are a spline; and closed rows as one circle or spline.
+
+use super::sigma::sigma;
+use super::{Kind, Noise, Piece, Shape, Span};
+use crate::curve::moments::Moments;
+use crate::curve::round::Round;
+use crate::curve::{BSpline, FitOptions, fit};
+use crate::math::vec3::distance2;
+
+/// Most pieces that are put together at once.
+const LONGEST_RUN: usize = 6;
+/// Weight of a spline's second differences against one point: enough to solve it.
+const CALM: f64 = 1e-4;
+/// Most spans of a spline.
+const MOST_SPANS: usize = 64;
+
+/// The least description of spans and of single curves over runs of them, by dynamic programming.
+pub(super) fn merge(points: &[[f64; 3]], weights: &[f64], noise: &Noise, spans: &[Span]) -> Vec<Span> {
+    let own: Vec<f64> = spans.iter().map(|s| span_cost(points, weights, noise, s)).collect();
+    let n = spans.len();
+    let mut best: Vec<(f64, usize, Kind)> = vec![(f64::INFINITY, 0, Kind::Line); n + 1];
+    best[0].0 = 0.0;
+    for a in 0..n {
+        let before = best[a].0;
+        for b in a + 1..=n.min(a + LONGEST_RUN) {
+            let (cost, kind) = match b {
+                _ if b == a + 1 => (own[a], spans[a].kind),
+                _ => run(points, weights, noise, &spans[a..b]),
+            };
+            if before + cost < best[b].0 {
+                best[b] = (before + cost, a, kind);
+            }
+        }
+    }
+    let (mut merged, mut end) = (Vec::new(), n);
+    while end > 0 {
+        let (_, a, kind) = best[end];
+        merged.push(Span { first: spans[a].first, last: spans[end - 1].last, kind });
+        end = a;
+    }
+    merged.reverse();
+    merged
+}
+
+/// The shortest description of a run of spans by one curve.
+fn run(points: &[[f64; 3]], weights: &[f64], noise: &Noise, spans: &[Span]) -> (f64, Kind) {
+    let (first, last) = (spans[0].first, spans[spans.len() - 1].last);
+    let one = |kind| (span_cost(points, weights, noise, &Span { first, last, kind }), kind);
+    let (_, controls, cost) = spline(&points[first..=last], &weights[first..=last], noise, false);
+    let kinds = [one(Kind::Line), one(Kind::Arc), (cost, Kind::Spline(controls))];
+    kinds.into_iter().fold((f64::INFINITY, Kind::Line), |best, k| if k.0 < best.0 { k } else { best })
+}
+
+/// The description length of all spans.
+pub(super) fn cost(points: &[[f64; 3]], weights: &[f64], noise: &Noise, spans: &[Span]) -> f64 {
+    spans.iter().map(|s| span_cost(points, weights, noise, s)).sum()
+}
+
+fn span_cost(points: &[[f64; 3]], weights: &[f64], noise: &Noise, span: &Span) -> f64 {
+    let (points, weights) = (&points[span.first..=span.last], &weights[span.first..=span.last]);
+    let mut moments = Moments::at(points[0]);
+    points.iter().zip(weights).for_each(|(&p, &w)| moments.push(p, w));
+    let squares = match span.kind {
+        Kind::Line => moments.squares().line,
+        Kind::Arc => moments.squares().circle,
+        Kind::Spline(_) => return spline(points, weights, noise, false).2,
+    };
+    noise.cost(noise.parameters(span.kind), squares)
+}
+
+/// The spline of least description length, its number of control points, and that length.
+pub(super) fn spline(
+    points: &[[f64; 3]],
+    weights: &[f64],
+    noise: &Noise,
+    closed: bool,
+) -> (BSpline, usize, f64) {
+    let length: f64 = points.windows(2).map(|w| distance2(w[0], w[1]).sqrt()).sum();
+    let mut best = (BSpline::default(), 0, f64::INFINITY);
+    let mut spans = if closed { 4 } else { 1 };
+    while spans <= MOST_SPANS.min(points.len()) {
+        let options = FitOptions { span: length / spans as f64, smoothing: CALM, closed };
+        let (curve, parameters) = fit(points, options);
+        let off = |((&p, &t), w): ((&[f64; 3], &f64), &f64)| w * distance2(p, curve.point(t));
+        let squares: f64 = points.iter().zip(&parameters).zip(weights).map(off).sum();
+        let controls = curve.controls.len();
+        let cost = noise.cost(noise.parameters(Kind::Spline(controls)), squares);
+        if cost < best.2 {
+            best = (curve, controls, cost);
+        } else if cost > best.2 + 4.0 * noise.log_count {
+            break;
+        }
+        spans = (spans + 1).max(spans * 5 / 4);
+    }
+    best
+}
+
+/// A closed row as one circle or one spline, where that is no longer a description than `other`.
+pub(super) fn whole(points: &[[f64; 3]], noise: &Noise, other: f64) -> Option<Piece> {
+    let weights = vec![noise.share; points.len()];
+    let piece = |shape, squares: f64, at| {
+        let deviation = (squares / points.len() as f64).sqrt();
+        let whole = Piece { shape, from: at, to: at, first: 0, last: points.len(), deviation, sigma: None };
+        Piece { sigma: sigma(&whole, points, noise), ..whole }
+    };
+    if let Some(round) = Round::fit(points) {
+        let squares: f64 = points.iter().map(|&p| distance2(p, round.foot(p))).sum();
+        let turns = round.sweep(points).abs() > std::f64::consts::PI;
+        if turns && noise.cost(noise.parameters(Kind::Arc), noise.share * squares) <= other {
+            return Some(piece(Shape::Circle(round), squares, round.foot(points[0])));
+        }
+    }
+    let (curve, _, cost) = spline(points, &weights, noise, true);
+    let squares = |c: &BSpline| {
+        let (parameters, _) = crate::curve::rows::chord_lengths(points, true);
+        points.iter().zip(parameters).map(|(&p, t)| distance2(p, c.point(t))).sum()
+    };
+    (cost < other).then(|| {
+        let (squares, at) = (squares(&curve), curve.point(0.0));
+        piece(Shape::Spline(curve), squares, at)
+    })
+}

@@ -1,0 +1,133 @@
+//! Rows of points with known curves, with and without noise.
+
+use super::{Noise, Piece, Shape, pieces};
+use crate::math::uniform::uniform;
+use crate::math::vec3::{distance, sub};
+
+/// Points `0.5` apart from `from` to `to`, the last one left out.
+fn line(from: [f64; 3], to: [f64; 3]) -> Vec<[f64; 3]> {
+    let steps = (distance(from, to) / 0.5).round() as usize;
+    let at = |k: usize| std::array::from_fn(|a| from[a] + (to[a] - from[a]) * k as f64 / steps as f64);
+    (0..steps).map(at).collect()
+}
+
+/// Points about `0.5` apart on a circle in the plane x, y from one angle to another, the last one left out.
+fn arc(centre: [f64; 2], radius: f64, from_deg: f64, to_deg: f64) -> Vec<[f64; 3]> {
+    let (from, turn) = (from_deg.to_radians(), (to_deg - from_deg).to_radians());
+    let steps = ((turn * radius).abs() / 0.5).round() as usize;
+    let at = |k: usize| (from + turn * k as f64 / steps as f64).sin_cos();
+    (0..steps).map(at).map(|(s, c)| [centre[0] + radius * c, centre[1] + radius * s, 2.0]).collect()
+}
+
+fn shaken(points: &[[f64; 3]], sigma: f64, seed: u64) -> Vec<[f64; 3]> {
+    let mut uniform = uniform(seed);
+    let mut normal = || (0..12).map(|_| uniform()).sum::<f64>() - 6.0;
+    points.iter().map(|p| p.map(|x| x + sigma * normal())).collect()
+}
+
+fn found(points: &[[f64; 3]], closed: bool, sigma: f64) -> Vec<Piece> {
+    let length: f64 = points.windows(2).map(|w| distance(w[0], w[1])).sum();
+    pieces(points, closed, &Noise::new(sigma.max(0.05), 1.0, points.len(), length))
+}
+
+fn names(pieces: &[Piece]) -> Vec<&'static str> {
+    pieces.iter().map(|p| p.shape.name()).collect()
+}
+
+fn radius(piece: &Piece) -> f64 {
+    match &piece.shape {
+        Shape::Arc { round, .. } | Shape::Circle(round) => round.radius,
+        other => panic!("{other:?} has no radius"),
+    }
+}
+
+/// A slot of 40 by 20: two lines and two half circles of radius 10.
+fn slot() -> Vec<[f64; 3]> {
+    [
+        line([-20.0, -10.0, 2.0], [20.0, -10.0, 2.0]),
+        arc([20.0, 0.0], 10.0, -90.0, 90.0),
+        line([20.0, 10.0, 2.0], [-20.0, 10.0, 2.0]),
+        arc([-20.0, 0.0], 10.0, 90.0, 270.0),
+    ]
+    .concat()
+}
+
+#[test]
+fn a_straight_strip_is_one_line_from_node_to_node() {
+    let points = line([0.0; 3], [30.0, 20.0, 10.0]);
+    for seed in 0..20 {
+        let shaken = shaken(&points, 0.1, seed);
+        let pieces = found(&shaken, false, 0.1);
+        assert_eq!(names(&pieces), ["line"], "seed {seed}");
+        assert_eq!((pieces[0].from, pieces[0].to), (shaken[0], shaken[shaken.len() - 1]));
+        assert!(pieces[0].sigma.is_some());
+    }
+}
+
+#[test]
+fn a_slot_is_two_lines_and_two_arcs_that_meet() {
+    for (sigma, off) in [(0.0, 0.02), (0.1, 0.4)] {
+        for seed in 0..10 {
+            let pieces = found(&shaken(&slot(), sigma, seed), true, sigma);
+            let mut sorted = names(&pieces);
+            sorted.sort_unstable();
+            assert_eq!(sorted, ["arc", "arc", "line", "line"], "noise {sigma}, seed {seed}");
+            for k in 0..4 {
+                assert_eq!(pieces[k].to, pieces[(k + 1) % 4].from);
+                assert_eq!(pieces[k].last, pieces[(k + 1) % 4].first);
+            }
+            for arc in pieces.iter().filter(|p| p.shape.name() == "arc") {
+                assert!((radius(arc) - 10.0).abs() < off, "{} at noise {sigma}", radius(arc));
+            }
+        }
+    }
+}
+
+#[test]
+fn ends_lie_on_their_arc() {
+    let points = [line([0.0, 0.0, 2.0], [20.0, 0.0, 2.0]), arc([20.0, 8.0], 8.0, -90.0, 30.0)].concat();
+    let pieces = found(&points, false, 0.0);
+    assert_eq!(names(&pieces), ["line", "arc"]);
+    let Shape::Arc { round, sweep } = &pieces[1].shape else { panic!("{pieces:?}") };
+    for end in [pieces[1].from, pieces[1].to] {
+        assert!((distance(end, round.centre) - round.radius).abs() < 1e-9 * round.radius);
+        let [x, y, z] = sub(end, round.centre);
+        let [a, b, c] = round.normal;
+        assert!((x * a + y * b + z * c).abs() < 1e-9 * round.radius);
+    }
+    assert!((sweep.to_degrees() - 120.0).abs() < 6.0, "{}", sweep.to_degrees());
+}
+
+#[test]
+fn a_closed_circle_is_one_circle_however_dense() {
+    for steps in [24, 100, 999] {
+        let at = |k: i32| (f64::from(k) * std::f64::consts::TAU / f64::from(steps)).sin_cos();
+        let points: Vec<[f64; 3]> = (0..steps).map(at).map(|(s, c)| [6.0 * c, 1.0, 6.0 * s]).collect();
+        let pieces = found(&shaken(&points, 0.05, 1), true, 0.05);
+        assert_eq!(names(&pieces), ["circle"], "{steps} points");
+        assert!((radius(&pieces[0]) - 6.0).abs() < 0.05);
+    }
+}
+
+#[test]
+fn a_long_polygon_breaks_at_its_corners() {
+    let corners = [[0.0; 3], [300.0, 0.0, 0.0], [300.0, 7.0, 0.0], [100.0, 90.0, 50.0]];
+    let mut points: Vec<[f64; 3]> = corners.windows(2).flat_map(|w| line(w[0], w[1])).collect();
+    points.push(corners[3]);
+    let pieces = found(&points, false, 0.0);
+    assert_eq!(names(&pieces), ["line"; 3]);
+    for (piece, corner) in pieces.iter().zip(&corners[1..]) {
+        assert!(distance(piece.to, *corner) < 0.02, "{:?}", piece.to);
+    }
+}
+
+#[test]
+fn a_free_curve_is_a_spline_and_two_points_are_a_line() {
+    let at = |k: i32| f64::from(k) * 0.25;
+    let points: Vec<[f64; 3]> =
+        (0..160).map(at).map(|t| [t, 6.0 * (0.2 * t).sin(), 0.004 * t * t * t.sqrt()]).collect();
+    let pieces = found(&points, false, 0.0);
+    assert!(names(&pieces).contains(&"b-spline"), "{:?}", names(&pieces));
+    assert_eq!(names(&found(&[[0.0; 3], [1.0, 0.0, 0.0]], false, 0.1)), ["line"]);
+    assert!(found(&[[0.0; 3]], false, 0.1).is_empty());
+}

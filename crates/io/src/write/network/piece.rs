@@ -1,0 +1,64 @@
+//! A typed curve as an object of the schema `lineament-network/2`.
+
+use crate::write::encode::json::{Number, Point, list};
+use lineament::curve::pieces::{Piece, Shape, Sigma};
+use lineament::curve::{BSpline, Round};
+use std::io::{self, Write};
+
+/// Type, range, ends, parameters and how well they are known.
+pub(super) fn piece(out: &mut dyn Write, piece: &Piece) -> io::Result<()> {
+    let Piece { shape, from, to, first, last, deviation, sigma } = piece;
+    write!(out, "{{\"type\": \"{}\", \"range\": [{first}, {last}], ", shape.name())?;
+    write!(out, "\"from\": {}, \"to\": {}", Point(from), Point(to))?;
+    match shape {
+        Shape::Line => {}
+        Shape::Arc { round, sweep } => {
+            circle(out, round)?;
+            write!(out, ", \"sweep_deg\": {}", Number(sweep.to_degrees()))?;
+        }
+        Shape::Circle(round) => circle(out, round)?,
+        Shape::Spline(curve) => spline(out, curve)?,
+    }
+    write!(out, ", \"deviation\": {}", Number(*deviation))?;
+    if let Some(known) = sigma {
+        deviations(out, known)?;
+    }
+    write!(out, "}}")
+}
+
+/// Standard deviations, of circles also the covariance of centre and radius.
+fn deviations(out: &mut dyn Write, sigma: &Sigma) -> io::Result<()> {
+    match sigma {
+        Sigma::Line { offset, direction } => {
+            let direction = Number(direction.to_degrees());
+            write!(out, ", \"sigma\": {{\"offset\": {}, \"direction_deg\": {direction}}}", Number(*offset))
+        }
+        Sigma::Round { radius, normal, covariance } => {
+            let center = [0, 1, 2].map(|i| covariance[i][i].sqrt());
+            write!(out, ", \"sigma\": {{\"radius\": {}, \"center\": {}", Number(*radius), Point(&center))?;
+            write!(out, ", \"normal_deg\": {}}}, \"covariance\": [", Number(normal.to_degrees()))?;
+            list(out, covariance, |out, _, row| {
+                write!(out, "[")?;
+                list(out, row, |out, _, &c| write!(out, "{}", Number(c)))?;
+                write!(out, "]")
+            })?;
+            write!(out, "]")
+        }
+    }
+}
+
+fn circle(out: &mut dyn Write, round: &Round) -> io::Result<()> {
+    let Round { centre, normal, radius } = round;
+    write!(out, ", \"center\": {}, \"normal\": {}", Point(centre), Point(normal))?;
+    write!(out, ", \"radius\": {}", Number(*radius))
+}
+
+/// Degree, knots and control points.
+pub(super) fn spline(out: &mut dyn Write, curve: &BSpline) -> io::Result<()> {
+    let BSpline { degree, knots, controls, periodic } = curve;
+    write!(out, ", \"degree\": {degree}, \"periodic\": {periodic}, \"knots\": [")?;
+    list(out, knots, |out, _, &knot| write!(out, "{}", Number(knot)))?;
+    write!(out, "], \"controls\": [")?;
+    list(out, controls, |out, _, control| write!(out, "{}", Point(control)))?;
+    write!(out, "]")
+}
