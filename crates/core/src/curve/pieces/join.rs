@@ -1,8 +1,9 @@
 //! Pieces that meet: each fitted by itself, the joints where neighbours cross or come nearest, then each through its joints.
 
 use super::merge::spline;
+use super::noise::{Kind, Noise, Span};
+use super::piece::{Piece, Shape};
 use super::sigma::sigma;
-use super::{Kind, Noise, Piece, Shape, Span};
 use crate::curve::round::{Round, plane};
 use crate::math::vec3::{add_scaled, distance, distance2, dot, sub, unit};
 

@@ -1,10 +1,12 @@
 //! Runs of pieces as one curve where that is the shorter description: lines and arcs that the search had to break where no break is, short
 //! arcs that are a spline; and closed rows as one circle or spline.
 
+use super::noise::{Kind, Noise, Span};
+use super::piece::{Piece, Shape};
 use super::sigma::sigma;
-use super::{Kind, Noise, Piece, Shape, Span};
 use crate::curve::moments::Moments;
 use crate::curve::round::Round;
+use crate::curve::rows::chord_lengths;
 use crate::curve::{BSpline, FitOptions, fit};
 use crate::math::vec3::distance2;
 
@@ -113,7 +115,7 @@ pub(super) fn whole(points: &[[f64; 3]], noise: &Noise, other: f64) -> Option<Pi
     }
     let (curve, _, cost) = spline(points, &weights, noise, true);
     let squares = |c: &BSpline| {
-        let (parameters, _) = crate::curve::rows::chord_lengths(points, true);
+        let (parameters, _) = chord_lengths(points, true);
         points.iter().zip(parameters).map(|(&p, t)| distance2(p, c.point(t))).sum()
     };
     (cost < other).then(|| {

@@ -1,7 +1,7 @@
 //! Breaks between long pieces moved to where both fit best: the search looks at few of their places.
 
+use super::noise::{Kind, Noise, Span};
 use super::search::SHORT;
-use super::{Kind, Noise, Span};
 use crate::curve::moments::Moments;
 
 /// Times that every break is looked at.

@@ -1,11 +1,12 @@
 //! Where a strip breaks into lines and arcs: the breaks of least description length, by dynamic programming.
 //!
-//! A piece of `k` parameters whose points lie at distances `d` costs `sum of w d^2 / (2 sigma^2) + k/2 ln n` (Rissanen 1978, A stage-length description: MDL's
-//! two-part code; Schwarz 1978). The sum over pieces is least over all breaks looked at, as the best way to a point goes through the best way to its break.
-//! Pieces of up to [`SHORT`] points may break anywhere; longer ones at every second, fourth, ... point, so that a strip of `n` points
-//! costs `O(n)` fits, each in constant time from sums over blocks. [`refine`](super::refine) then moves the breaks of long pieces.
+//! A piece of `k` parameters whose points lie at distances `d` costs `sum of w d^2 / (2 sigma^2) + k/2 ln n` (Rissanen 1978, Modeling by
+//! shortest data description, the two-part code; the penalty is that of Schwarz 1978). The best way to a point goes through the best
+//! way to its last break, so that the sum is least over all breaks looked at. Pieces of up to [`SHORT`] points may break anywhere,
+//! longer ones at every second, fourth, ... point: a strip of `n` points costs `O(n)` fits, each in constant time from sums over
+//! blocks. [`refine`](super::refine) then moves the breaks of long pieces.
 
-use super::{Kind, Noise, Span};
+use super::noise::{Kind, Noise, Span};
 use crate::curve::moments::Moments;
 
 /// Greatest number of blocks of one length that a piece is made of.

@@ -3,45 +3,11 @@
 //! The covariance is `s^2 (J^T W J)^-1` of the linearised least squares, with `s` the error of a point and `W` the independent
 //! observations that each stands for. Across the plane of a circle and within it the errors are independent.
 
-use super::{Noise, Piece, Shape};
+use super::noise::Noise;
+use super::piece::{Piece, Shape, Sigma};
 use crate::curve::circle::solve3;
 use crate::curve::round::Round;
-use crate::math::vec3::{add_scaled, cross, distance, dot, perpendicular, scale, sub, unit};
-
-/// Standard deviations of a piece.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Sigma {
-    /// Of a line.
-    Line {
-        /// Across the line at its middle, in either direction.
-        offset: f64,
-        /// Of its direction, radians, in either direction.
-        direction: f64,
-    },
-    /// Of an arc or a circle.
-    Round {
-        /// Of the radius.
-        radius: f64,
-        /// Of the normal, radians: the root of the sum of both squares.
-        normal: f64,
-        /// Covariance of centre and radius: x, y, z, r.
-        covariance: [[f64; 4]; 4],
-    },
-}
-
-impl Sigma {
-    /// In a unit of which one of today's has `unit`.
-    pub(super) fn scaled(self, unit: f64) -> Self {
-        match self {
-            Sigma::Line { offset, direction } => Sigma::Line { offset: offset * unit, direction },
-            Sigma::Round { radius, normal, covariance } => Sigma::Round {
-                radius: radius * unit,
-                normal,
-                covariance: covariance.map(|row| row.map(|c| c * unit * unit)),
-            },
-        }
-    }
-}
+use crate::math::vec3::{add_scaled, cross, dot, perpendicular, scale, sub, unit};
 
 /// The standard deviations of a piece from the points that it was fitted to.
 pub(super) fn sigma(piece: &Piece, points: &[[f64; 3]], noise: &Noise) -> Option<Sigma> {
@@ -118,6 +84,7 @@ mod tests {
     use super::*;
     use crate::curve::pieces::pieces;
     use crate::math::uniform::uniform;
+    use crate::math::vec3::distance;
 
     /// Intervals of two standard deviations hold the true radius as often as they say.
     #[test]

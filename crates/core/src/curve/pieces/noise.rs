@@ -1,0 +1,67 @@
+//! The error of a row's points, and what that makes a description cost.
+
+/// What is known of the points before any curve is fitted.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Noise {
+    /// Standard deviation of a point across the curve.
+    pub sigma: f64,
+    /// Independent observations that a point stands for: neighbours err alike.
+    pub share: f64,
+    /// Natural logarithm of the number of independent observations.
+    pub log_count: f64,
+    /// Whether the points lie in a plane that is known.
+    pub flat: bool,
+}
+
+impl Noise {
+    /// Of a row of `count` points that is `length` long, where points err alike over a length of `reach`.
+    pub(crate) fn new(sigma: f64, reach: f64, count: usize, length: f64) -> Self {
+        let share = (length / (count.max(2) - 1) as f64 / reach).clamp(1e-3, 1.0);
+        Self { sigma, share, log_count: (share * count as f64).max(2.0).ln(), flat: false }
+    }
+
+    /// The description length of a piece, nats.
+    pub(super) fn cost(&self, parameters: usize, squares: f64) -> f64 {
+        0.5 * squares / (self.sigma * self.sigma) + 0.5 * parameters as f64 * self.log_count
+    }
+
+    /// The number of parameters of a piece: its curve and where on it the piece ends.
+    pub(super) fn parameters(&self, kind: Kind) -> usize {
+        let curve = match (kind, self.flat) {
+            (Kind::Line, false) => 4,
+            (Kind::Line, true) => 2,
+            (Kind::Arc, false) => 7,
+            (Kind::Arc, true) => 4,
+            (Kind::Spline(controls), false) => 3 * controls,
+            (Kind::Spline(controls), true) => 2 * controls,
+        };
+        curve + 1
+    }
+}
+
+/// Kinds of pieces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Line,
+    Arc,
+    /// With this number of control points.
+    Spline(usize),
+}
+
+impl Kind {
+    /// Least number of steps from point to point that speak for the kind: three points lie on a circle.
+    pub(super) fn fewest_steps(self) -> usize {
+        if self == Kind::Line { 1 } else { 3 }
+    }
+}
+
+/// Points `first..=last` under one description.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span {
+    /// Its first point.
+    pub first: usize,
+    /// Its last point, the first of the next span.
+    pub last: usize,
+    /// Its description.
+    pub kind: Kind,
+}
