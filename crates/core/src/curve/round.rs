@@ -2,7 +2,7 @@
 
 use super::circle::Circle;
 use crate::math::eigen3::eigen3;
-use crate::math::vec3::{add_scaled, cross, distance, dot, norm, perpendicular, sub, unit};
+use crate::math::vec3::{add_scaled, cross, dot, norm, perpendicular, sub, unit};
 
 /// A circle in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,9 +100,4 @@ pub(crate) fn plane(points: &[[f64; 3]]) -> Option<([f64; 3], [[f64; 3]; 3])> {
     }
     let axes = eigen3(&spread).vectors;
     (count >= 3.0).then_some((origin, [axes[2], axes[1], axes[0]]))
-}
-
-/// The greatest distance of points from their feet.
-pub(crate) fn worst(points: &[[f64; 3]], foot: impl Fn([f64; 3]) -> [f64; 3]) -> f64 {
-    points.iter().map(|&p| distance(p, foot(p))).fold(0.0, f64::max)
 }
