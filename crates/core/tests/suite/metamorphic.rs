@@ -1,13 +1,14 @@
 //! What must not change the network, or change it in a known way.
 
 use crate::common::{cloud, few_bits, found};
+use lineament::curve::pieces::{Piece, Shape, Sigma};
+use lineament::shapes::{self, Rng, Sampling, Scan, Truth, TruthCurve, TruthNode};
 use lineament::shapes::{Fold, bent_sheet, cube_386, cylinders, random_cube, sheet_with_hole, wedge};
-use lineament::shapes::{Rng, Sampling, Scan, Shape, Truth, TruthCurve, TruthNode};
 use lineament::{Network, evaluate};
 
 /// Clouds with creases, borders, loops and noise, no point twice, coordinates of few bits.
 fn clouds() -> Vec<(&'static str, Vec<[f64; 3]>)> {
-    let scan = |shape: Shape, count, noise| {
+    let scan = |shape: shapes::Shape, count, noise| {
         shape.sample(&Scan::new(Sampling::BlueNoise { count }).noise(noise).seed(3)).cloud.positions
     };
     let clouds = [
@@ -47,8 +48,33 @@ fn mapped(mut network: Network, scale: f64, place: impl Fn([f64; 3]) -> [f64; 3]
         strip.curve.controls.iter_mut().for_each(put);
         strip.curve.knots.iter_mut().for_each(|t| *t *= scale);
         strip.deviation *= scale;
+        strip.curves.iter_mut().for_each(|piece| place_piece(piece, scale, &place));
     }
     network
+}
+
+/// Moves a piece of a strip by a map that turns nothing.
+fn place_piece(piece: &mut Piece, scale: f64, place: impl Fn([f64; 3]) -> [f64; 3]) {
+    (piece.from, piece.to) = (place(piece.from), place(piece.to));
+    piece.deviation *= scale;
+    match &mut piece.shape {
+        Shape::Line => {}
+        Shape::Arc { round, .. } | Shape::Circle(round) => {
+            (round.centre, round.radius) = (place(round.centre), round.radius * scale);
+        }
+        Shape::Spline(curve) => {
+            curve.controls.iter_mut().for_each(|p| *p = place(*p));
+            curve.knots.iter_mut().for_each(|t| *t *= scale);
+        }
+    }
+    match &mut piece.sigma {
+        None => {}
+        Some(Sigma::Line { offset, .. }) => *offset *= scale,
+        Some(Sigma::Round { radius, covariance, .. }) => {
+            *radius *= scale;
+            covariance.iter_mut().flatten().for_each(|c| *c *= scale * scale);
+        }
+    }
 }
 
 /// Equality of every bit but the signs of zeros and the payloads of NaNs, of which there are none.
