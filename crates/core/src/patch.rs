@@ -20,6 +20,7 @@ mod fit;
 mod flood;
 mod ground;
 mod loops;
+mod near;
 mod orient;
 mod patches;
 mod sides;

@@ -147,3 +147,39 @@ fn a_point_far_out_does_not_make_a_line_of_a_plane() {
     sandbox.write_points("far.xyz", &points);
     sandbox.run(&["extract", "far.xyz", "-o", "far.json"]).expect(0);
 }
+
+#[test]
+fn lines_of_other_points_are_not_drawn() {
+    let sandbox = Sandbox::new();
+    sandbox.write_points("good.xyz", &sheet());
+    for far in ["1e308", "1e6"] {
+        let strip = format!(
+            "\"kind\":\"crease\",\"closed\":false,\"start\":0,\"end\":1,\"points\":[[{far},{far},{far}],[-{far},-{far},-{far}]]"
+        );
+        let network = format!("{{\"schema\":\"lineament-network/1\",\"nodes\":[],\"strips\":[{{{strip}}}]}}");
+        sandbox.write("far.json", network);
+        let run = sandbox.run(&["render", "good.xyz", "--network", "far.json", "-o", "far.png"]).expect(4);
+        run.says(&[
+            "good.xyz",
+            "lines of these points, which lie from [0.0, 0.0, 0.0] to [19.0, 19.0, 3.61]",
+        ]);
+    }
+    assert!(!sandbox.path("far.png").exists());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn the_file_behind_standard_input_is_not_replaced() {
+    let sandbox = Sandbox::new();
+    sandbox.write_points("good.xyz", &sheet());
+    let before = sandbox.read("good.xyz");
+    let redirected = |args: &[&str]| {
+        let input = std::fs::File::open(sandbox.path("good.xyz")).unwrap();
+        sandbox.command(args).stdin(input).output().unwrap()
+    };
+    let run = redirected(&["classify", "-", "-o", "good.xyz"]);
+    assert_eq!(run.status.code(), Some(5), "{run:?}");
+    assert!(String::from_utf8_lossy(&run.stderr).contains("inputs are never overwritten"), "{run:?}");
+    assert_eq!(sandbox.read("good.xyz"), before);
+    assert_eq!(redirected(&["classify", "-", "-o", "other.xyz"]).status.code(), Some(0));
+}

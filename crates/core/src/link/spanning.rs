@@ -6,12 +6,15 @@
 mod graph;
 mod prune;
 mod rule;
+mod two_sided;
 mod walk;
+mod web;
 mod weight;
 
-pub(super) use graph::{closes_long, minimum_spanning_graph};
+pub(super) use graph::{enters, minimum_spanning_graph};
 pub(super) use prune::{prune, remove_branch};
 pub(crate) use rule::{CycleRule, Metric};
 pub(super) use walk::Walker;
+pub(super) use web::Web;
 pub use weight::Candidate;
 pub(super) use weight::{candidate_edges, sort};

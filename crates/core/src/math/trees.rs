@@ -1,4 +1,5 @@
-//! Trees over points.
+//! Trees over points and boxes.
 
+pub(crate) mod boxes;
 pub(crate) mod kd;
 pub(crate) mod packed;

@@ -23,6 +23,12 @@ impl UnionFind {
         x
     }
 
+    /// The number of elements in the set that holds `x`.
+    pub fn size(&mut self, x: u32) -> u32 {
+        let representative = self.find(x);
+        self.size[representative as usize]
+    }
+
     /// Joins the sets of `a` and `b`; false if they were one already, as when an edge between them closes a cycle.
     pub fn union(&mut self, a: u32, b: u32) -> bool {
         let (a, b) = (self.find(a), self.find(b));
@@ -46,6 +52,7 @@ mod tests {
         assert!(sets.union(0, 1) && sets.union(2, 3) && sets.union(1, 3));
         assert!(!sets.union(0, 2));
         assert_eq!(sets.find(0), sets.find(3));
+        assert_eq!((sets.size(0), sets.size(4)), (4, 1));
         assert_ne!(sets.find(0), sets.find(4));
         assert_ne!(sets.find(4), sets.find(5));
     }

@@ -6,9 +6,9 @@
 //! half-line is nearer. A border, or a strip with points on one side only, has one half-line.
 
 use super::ground::Ground;
+use super::near::{Near, NearStrip};
 use super::stations::{Station, Stations};
 use crate::math::vec3::{add_scaled, distance, dot, norm, sub};
-use crate::neighbors::Index;
 use crate::resolution::Resolution;
 use crate::surface::Scales;
 use rayon::prelude::*;
@@ -74,23 +74,15 @@ impl Beside {
 
 /// Finds the points beside all strips and fills in the directions at the stations.
 pub fn beside(ground: &Ground, mut stations: Stations) -> (Stations, Beside) {
-    let places: Vec<[f64; 3]> = stations.all.iter().map(|s| s.position).collect();
-    let index = Index::build(&places);
+    let near = Near::new(&stations);
     let lists: Vec<Vec<Entry>> = (0..ground.points.len())
         .into_par_iter()
         .with_min_len(1024)
         .map_init(Vec::new, |found, i| {
-            if index.is_empty() {
-                return Vec::new();
-            }
             let p = ground.points[i];
             let edges = ground.graph.of(i).iter().map(|&j| distance(p, ground.points[j as usize]));
-            index.within(p, edges.fold(BESIDE * ground.scales.unit(i as u32), f64::max), found);
-            let mut near: Vec<(u32, f64, u32)> =
-                found.iter().map(|f| (stations.all[f.index as usize].strip, f.distance2, f.index)).collect();
-            near.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
-            near.dedup_by_key(|n| n.0);
-            entries(&stations.all, p, &near, ground.scales.at(i))
+            let strips = near.of(p, edges.fold(BESIDE * ground.scales.unit(i as u32), f64::max), found);
+            entries(&stations.all, p, &strips, ground.scales.at(i))
         })
         .collect();
     let mut beside = Beside { first: vec![0], ..Default::default() };
@@ -106,12 +98,12 @@ pub fn beside(ground: &Ground, mut stations: Stations) -> (Stations, Beside) {
 }
 
 /// The entries of a point, given the nearest station of each strip.
-fn entries(all: &[Station], p: [f64; 3], near: &[(u32, f64, u32)], scale: Resolution) -> Vec<Entry> {
+fn entries(all: &[Station], p: [f64; 3], near: &[NearStrip], scale: Resolution) -> Vec<Entry> {
     let beyond = BEYOND * scale.spacing;
     let seam = (SEAM * scale.spacing + 2.0 * scale.noise).min(scale.spacing);
     let mut entries: Vec<Entry> = near
         .iter()
-        .filter_map(|&(strip, _, station)| {
+        .filter_map(|&NearStrip { strip, station, .. }| {
             let at = &all[station as usize];
             let d = sub(p, at.position);
             let along = dot(d, at.tangent);

@@ -14,6 +14,7 @@ mod repeats;
 mod result;
 mod runs;
 mod shown;
+mod slice;
 mod track;
 
 use crate::cloud::Cloud;

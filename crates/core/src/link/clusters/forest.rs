@@ -1,6 +1,6 @@
 //! `G_pruned_mst` (Demarsin et al. 2007, section 2.5): the minimum spanning tree without its edges to large clusters.
 
-use crate::link::spanning::{Candidate, CycleRule, Walker, closes_long, sort};
+use crate::link::spanning::{Candidate, CycleRule, Web, enters, sort};
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::distance;
 use crate::pattern::LineGraph;
@@ -26,16 +26,16 @@ pub fn by_length(lines: &LineGraph) -> Vec<Candidate> {
 pub fn forest(lines: &LineGraph, edges: &[Candidate], keep: Option<(Resolution, CycleRule)>) -> LineGraph {
     let mut tree = LineGraph { edges: vec![Vec::new(); lines.edges.len()], ..lines.clone() };
     let mut sets = UnionFind::new(lines.edges.len());
-    let mut walker = keep.map(|(_, rule)| Walker::new(lines.edges.len(), rule.metric));
+    let mut web = Web::new(lines.edges.len());
     for edge in edges {
-        let wanted = sets.union(edge.a, edge.b)
-            || match (&keep, &mut walker) {
-                (Some((resolution, rule)), Some(walker)) => {
-                    closes_long(&tree, walker, edge, (*resolution).into(), *rule)
-                }
-                _ => false,
-            };
-        if wanted && !tree.edges[edge.a as usize].contains(&edge.b) {
+        if tree.edges[edge.a as usize].contains(&edge.b) {
+            continue;
+        }
+        let wanted = match keep {
+            Some((resolution, rule)) => enters(&tree, &mut web, edge, resolution.into(), rule),
+            None => sets.union(edge.a, edge.b),
+        };
+        if wanted {
             tree.add_edge(edge.a, edge.b);
         }
     }

@@ -4,14 +4,14 @@
 //! spline would round it. Around each vertex two straight lines are compared with one smooth curve, both fitted to the vertices
 //! on either side. The nearest vertices are left out, as the alignment of the points has rounded them. Not in Gumhold 2001.
 
-use crate::math::eigen3::eigen3;
-use crate::math::skyline::Skyline;
-use crate::math::tensor::scatter;
-use crate::math::vec3::{add, add_scaled, distance, dot, norm, scale, sub, unit};
+mod meeting;
+
+use crate::math::vec3::{add_scaled, distance, dot, sub};
 use crate::network::StripKind;
 use crate::params::RepairParams;
 use crate::pattern::{LineGraph, Path, paths};
 use crate::surface::Scales;
+use meeting::Meeting;
 
 /// Vertices nearer to a corner than this, in spacings, do not count for its sides.
 const ROUNDED_OFF: f64 = 1.25;
@@ -21,14 +21,14 @@ const SIDES: [f64; 2] = [10.0, 6.0];
 const FILLED_SIDE: (f64, usize) = (0.8, 4);
 /// Least length of path between two corners, spacings.
 const CORNERS_APART: f64 = 3.0;
+/// Greatest length of path on either side that a corner's rounding spoils, spacings.
+const MOST_SPOILT: f64 = 0.5 * SIDES[0];
 /// Greatest ratio of the residual of two lines to the residual of a smooth curve, at the least turn and at a right angle: a
 /// slight bend needs clearer evidence.
 const CLEAR_RATIO: [f64; 2] = [0.4, 0.6];
 /// Greatest radius by which the alignment of the points rounds a corner, spacings: much at a border, hardly at a crease. A
 /// round of greater radius belongs to the part.
 const ROUNDED: [(StripKind, f64); 2] = [(StripKind::Crease, 1.0), (StripKind::Border, 4.0)];
-/// Greatest distance between path and corner beyond the distance due to the rounding, spacings.
-const MISSED_BY: f64 = 0.35;
 
 /// A corner found on a path.
 #[derive(Clone, Copy, Debug)]
@@ -106,6 +106,19 @@ impl Course {
         if self.closed { s.min(self.length - s) } else { s }
     }
 
+    /// The vertices less than `far` along the path from one of them, itself among them.
+    fn around(&self, at: usize, far: f64) -> Vec<usize> {
+        let count = self.positions.len() as isize;
+        let mut found = vec![at];
+        for step in [-1, 1] {
+            let way = (1..count).map(|k| at as isize + step * k);
+            let way = way.take_while(|raw| self.closed || (0..count).contains(raw));
+            let near = way.map(|raw| raw.rem_euclid(count) as usize);
+            found.extend(near.take_while(|&i| self.apart(i, at) < far));
+        }
+        found
+    }
+
     /// The corners with a turn of at least `turn_deg`, the clearest first, none nearer to another than [`CORNERS_APART`].
     fn corners(&self, turn_deg: f64) -> Vec<Corner> {
         let mut all: Vec<Corner> = (0..self.positions.len())
@@ -113,11 +126,15 @@ impl Course {
             .collect();
         all.sort_by(|a, b| a.ratio.total_cmp(&b.ratio).then(a.at.cmp(&b.at)));
         let mut kept: Vec<Corner> = Vec::new();
+        let mut spoilt: Vec<Option<f64>> = vec![None; self.positions.len()];
         for corner in all {
-            if kept
-                .iter()
-                .all(|k| self.apart(k.at, corner.at) >= (k.spoilt + corner.spoilt).max(CORNERS_APART))
-            {
+            let near = |i: usize| {
+                let least = spoilt[i].map(|other| (other + corner.spoilt).max(CORNERS_APART));
+                least.is_some_and(|least| self.apart(i, corner.at) < least)
+            };
+            let far = (MOST_SPOILT + corner.spoilt).max(CORNERS_APART);
+            if !self.around(corner.at, far).into_iter().any(near) {
+                spoilt[corner.at] = Some(corner.spoilt);
                 kept.push(corner);
             }
         }
@@ -149,12 +166,7 @@ impl Course {
         if sides.iter().any(|s| s.len() < fewest || s[s.len() - 1].0.abs() < share * side) {
             return None;
         }
-        let [behind, ahead] = [0, 1].map(|k| Line::fit(&sides[k]));
-        let position = crossing(&behind, &ahead)?;
-        let count = (sides[0].len() + sides[1].len()) as f64;
-        let straight = ((behind.squares + ahead.squares) / count).sqrt();
-        let ratio = straight / smooth_residual(&sides).max(1e-9 * self.units[at]);
-        Some(Meeting { position, cosine: -dot(behind.direction, ahead.direction), ratio })
+        Meeting::new(&sides, SIDES[0], 1e-9 * self.units[at])
     }
 
     /// The distance from the path of a place near vertex `at`.
@@ -174,101 +186,17 @@ impl Course {
     }
 }
 
-/// Two straight sides set against one smooth curve at a vertex.
-#[derive(Clone, Copy, Debug)]
-struct Meeting {
-    /// The place where their lines meet.
-    position: [f64; 3],
-    /// Of the turn.
-    cosine: f64,
-    /// Ratio of the residual of the lines to that of the smooth curve.
-    ratio: f64,
-}
-
-impl Meeting {
-    /// The turn, degrees, and the length of path on either side that is rounded if the path passes the corner at the distance
-    /// `aside`, spacings: an arc of radius `r` misses a corner by `r (1 / cos(turn / 2) - 1)` and leaves its sides
-    /// `r tan(turn / 2)` before it. `None` if no rounding explains the distance.
-    fn rounding(&self, aside: f64, rounded: f64) -> Option<(f64, f64)> {
-        let half = 0.5 * self.cosine.clamp(-1.0, 1.0).acos();
-        let missed = (1.0 / half.cos().max(0.1) - 1.0).max(1e-6);
-        let radius = (aside / missed).min(rounded);
-        (aside <= rounded * missed + MISSED_BY).then(|| (2.0 * half.to_degrees(), radius * half.tan()))
-    }
-}
-
-/// A straight line through one side.
-struct Line {
-    centre: [f64; 3],
-    /// Unit, away from the corner.
-    direction: [f64; 3],
-    /// Sum of the squared distances from the line.
-    squares: f64,
-}
-
-impl Line {
-    fn fit(side: &[(f64, [f64; 3])]) -> Line {
-        let share = 1.0 / side.len() as f64;
-        let centre = side.iter().fold([0.0; 3], |sum, s| add_scaled(sum, s.1, share));
-        let axes = eigen3(&scatter(side.iter().map(|s| sub(s.1, centre))));
-        let outward = sub(side[side.len() - 1].1, side[0].1);
-        let axis = axes.vectors[2];
-        let direction = if dot(axis, outward) < 0.0 { scale(axis, -1.0) } else { axis };
-        Line { centre, direction, squares: axes.values[0].max(0.0) + axes.values[1].max(0.0) }
-    }
-}
-
-/// The middle between the places where two lines pass nearest.
-fn crossing(a: &Line, b: &Line) -> Option<[f64; 3]> {
-    let cosine = dot(a.direction, b.direction);
-    let sine2 = 1.0 - cosine * cosine;
-    if sine2 < 1e-3 {
-        return None;
-    }
-    let gap = sub(b.centre, a.centre);
-    let (u, v) = (dot(gap, a.direction), dot(gap, b.direction));
-    let p = add_scaled(a.centre, a.direction, (u - cosine * v) / sine2);
-    let q = add_scaled(b.centre, b.direction, (cosine * u - v) / sine2);
-    Some(scale(add(p, q), 0.5))
-}
-
-/// Root mean square residual of the best cubic curve through both sides, as a function of the distance along the path.
-fn smooth_residual(sides: &[Vec<(f64, [f64; 3])>; 2]) -> f64 {
-    let all = || sides.iter().flatten().map(|&(s, p)| (s / SIDES[0], p));
-    let mut matrix = Skyline::zeros(vec![0; 4]);
-    let mut right = vec![[0.0; 3]; 4];
-    for (s, p) in all() {
-        let powers = [1.0, s, s * s, s * s * s];
-        for i in 0..4 {
-            right[i] = add_scaled(right[i], p, powers[i]);
-            (i..4).for_each(|j| matrix.add(i, j, powers[i] * powers[j]));
-        }
-    }
-    if !matrix.factorise() {
-        return 0.0;
-    }
-    matrix.solve(&mut right);
-    let (mut squares, mut count) = (0.0, 0.0);
-    for (s, p) in all() {
-        let at =
-            [s, s * s, s * s * s].iter().zip(&right[1..]).fold(right[0], |a, (&w, &c)| add_scaled(a, c, w));
-        let tangent = unit(add_scaled(add_scaled(right[1], right[2], 2.0 * s), right[3], 3.0 * s * s));
-        let d = sub(p, at);
-        let aside = norm(add_scaled(d, tangent, -dot(d, tangent)));
-        squares += aside * aside;
-        count += 1.0;
-    }
-    (squares / count).sqrt()
-}
-
 /// Puts nodes at the corners of a path in place of the vertices next to them.
 fn place(lines: &mut LineGraph, path: &Path, course: &Course, corners: &[Corner]) {
     let count = path.vertices.len();
     let is_end = |i: usize| !course.closed && (i == 0 || i + 1 == count);
-    let spoilt = |i: usize| corners.iter().any(|c| course.apart(i, c.at) < c.spoilt);
-    let is_corner = |i: usize| corners.iter().any(|c| c.at == i);
+    let (mut spoilt, mut is_corner) = (vec![false; count], vec![false; count]);
+    for corner in corners {
+        course.around(corner.at, corner.spoilt).into_iter().for_each(|i| spoilt[i] = true);
+        is_corner[corner.at] = true;
+    }
     let kept: Vec<u32> =
-        (0..count).filter(|&i| is_end(i) || is_corner(i) || !spoilt(i)).map(|i| path.vertices[i]).collect();
+        (0..count).filter(|&i| is_end(i) || is_corner[i] || !spoilt[i]).map(|i| path.vertices[i]).collect();
     if corners.is_empty() || (course.closed && kept.len() < 3) {
         return;
     }
@@ -308,6 +236,40 @@ mod tests {
         }
         (0..count).for_each(|i| lines.add_edge(i, (i + 1) % count));
         lines
+    }
+
+    /// The corners that are kept where each is compared with all others.
+    fn compared_with_all(course: &Course, turn_deg: f64) -> Vec<usize> {
+        let seen = |i: usize| SIDES.iter().find_map(|&side| course.corner(i, side, turn_deg));
+        let mut all: Vec<Corner> = (0..course.positions.len()).filter_map(seen).collect();
+        all.sort_by(|a, b| a.ratio.total_cmp(&b.ratio).then(a.at.cmp(&b.at)));
+        let least = |a: &Corner, b: &Corner| (a.spoilt + b.spoilt).max(CORNERS_APART);
+        let mut kept: Vec<Corner> = Vec::new();
+        for corner in all {
+            if kept.iter().all(|k| course.apart(k.at, corner.at) >= least(k, &corner)) {
+                kept.push(corner);
+            }
+        }
+        kept.iter().map(|corner| corner.at).collect()
+    }
+
+    #[test]
+    fn corners_are_compared_with_those_around_them_alone() {
+        let unit = crate::Resolution { spacing: 1.0, noise: 0.0 }.into();
+        let mut found = 0;
+        for (step, shift) in [(0.7, 0.0), (0.7, 0.3), (1.0, 0.5), (1.3, 0.1), (1.0, 0.9)] {
+            for sides in [[30.0, 4.0], [30.0, 8.0], [13.0, 12.0], [60.0, 50.0]] {
+                let lines = rectangle(sides, step, shift);
+                let course = Course::new(&lines, &paths(&lines)[0], unit, 4.0);
+                let kept: Vec<usize> = course.corners(30.0).iter().map(|corner| corner.at).collect();
+                assert_eq!(kept, compared_with_all(&course, 30.0), "{step} {shift} {sides:?}");
+                found += kept.len();
+            }
+        }
+        assert!(found > 50, "{found} corners");
+        let lines = rectangle([50_000.0, 50_000.0], 1.0, 0.0);
+        let course = Course::new(&lines, &paths(&lines)[0], unit, 4.0);
+        assert_eq!((course.around(0, 8.0).len(), course.around(70_000, 8.0).len()), (15, 15));
     }
 
     #[test]

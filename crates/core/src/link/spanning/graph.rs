@@ -1,9 +1,8 @@
 //! The minimum spanning graph (MSG): a minimum spanning tree that keeps long cycles (Gumhold 2001, section 3.2).
 
 use super::rule::CycleRule;
-use super::walk::Walker;
+use super::web::Web;
 use super::weight::Candidate;
-use crate::math::union_find::UnionFind;
 use crate::math::vec3::{cross, distance, norm, sub};
 use crate::measure::Penalties;
 use crate::params::PenaltyForm;
@@ -32,10 +31,9 @@ pub(crate) fn minimum_spanning_graph(
         edges: vec![Vec::new(); penalties.len()],
         nodes: Vec::new(),
     };
-    let mut sets = UnionFind::new(penalties.len());
-    let mut walker = Walker::new(penalties.len(), rule.metric);
+    let mut web = Web::new(penalties.len());
     for edge in edges {
-        if sets.union(edge.a, edge.b) || closes_long(&lines, &mut walker, edge, scales, rule) {
+        if enters(&lines, &mut web, edge, scales, rule) {
             lines.edges[edge.a as usize].push(edge.b);
             lines.edges[edge.b as usize].push(edge.a);
         }
@@ -46,27 +44,38 @@ pub(crate) fn minimum_spanning_graph(
     lines
 }
 
-/// The cycle test: whether the cycle that `edge` closes is longer than `rho` (the paper's `pathLonger`) and, in the robust
-/// form, open.
-pub(crate) fn closes_long(
+/// Whether `edge` enters the graph, and in `web` lets it: it joins two pieces, or closes a cycle that stays.
+pub(crate) fn enters(
     lines: &LineGraph,
-    walker: &mut Walker,
+    web: &mut Web,
     edge: &Candidate,
     scales: Scales,
     rule: CycleRule,
 ) -> bool {
+    let length = rule.metric.length(lines, edge.a, edge.b);
+    if web.join(edge.a, edge.b, length) {
+        return true;
+    }
+    let closes = closes_long(lines, web, edge, scales, rule);
+    if closes {
+        web.close(edge.a, edge.b, length);
+    }
+    closes
+}
+
+/// The cycle test: whether the cycle that `edge` closes is longer than `rho` (the paper's `pathLonger`) and, in the robust
+/// form, open.
+fn closes_long(lines: &LineGraph, web: &mut Web, edge: &Candidate, scales: Scales, rule: CycleRule) -> bool {
     let unit = scales.between(lines.points[edge.a as usize], lines.points[edge.b as usize]);
-    let closing = walker.length(lines, edge.a, edge.b);
-    if walker.path(lines, edge.a, edge.b, rule.rho - closing).is_some() {
-        return false;
-    }
-    match rule.form {
-        PenaltyForm::Paper => true,
-        // A cycle much longer than it is wide may be two strands of one band: the shortest one decides.
-        PenaltyForm::Robust => walker
-            .path(lines, edge.a, edge.b, WHOLE_CYCLE * rule.rho)
-            .is_none_or(|path| openness(&lines.positions, &path) >= rule.openness * unit),
-    }
+    let short = rule.rho - rule.metric.length(lines, edge.a, edge.b);
+    // A cycle much longer than it is wide may be two strands of one band: the shortest one decides.
+    let looked_at = match rule.form {
+        PenaltyForm::Paper => short,
+        PenaltyForm::Robust => WHOLE_CYCLE * rule.rho,
+    };
+    web.shortest(edge.a, edge.b, looked_at).is_none_or(|(length, path)| {
+        length > short && openness(&lines.positions, &path) >= rule.openness * unit
+    })
 }
 
 /// Ratio of area to length of the polygon through `path`.

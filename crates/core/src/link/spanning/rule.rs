@@ -1,7 +1,9 @@
 //! The length `rho`: which cycles are long enough to stay and which branches are short (Gumhold 2001, section 3.2).
 
+use crate::math::vec3::distance;
 use crate::network::StripKind;
 use crate::params::{Auto, PenaltyForm, SpanningParams};
+use crate::pattern::LineGraph;
 use crate::resolution::Resolution;
 use crate::surface::Scales;
 
@@ -16,6 +18,20 @@ pub(crate) enum Metric<'a> {
     Edges,
     /// The length along the line, in the spacings at each place.
     Lengths(Scales<'a>),
+}
+
+impl Metric<'_> {
+    /// The length of an edge.
+    pub(crate) fn length(&self, lines: &LineGraph, a: u32, b: u32) -> f64 {
+        match self {
+            Metric::Edges => 1.0,
+            Metric::Lengths(scales) => {
+                let [a, b] = [a as usize, b as usize];
+                let unit = scales.between(lines.points[a], lines.points[b]);
+                distance(lines.positions[a], lines.positions[b]) / unit
+            }
+        }
+    }
 }
 
 /// The rule by which cycles of a spanning graph stay and branches go.

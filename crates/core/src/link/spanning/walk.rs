@@ -1,7 +1,6 @@
 //! Bounded walks on a line graph, shared by the cycle test and the pruning.
 
 use super::rule::Metric;
-use crate::math::vec3::distance;
 use crate::pattern::LineGraph;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -48,18 +47,6 @@ impl<'a> Walker<'a> {
         }
     }
 
-    /// The length of an edge.
-    pub fn length(&self, lines: &LineGraph, a: u32, b: u32) -> f64 {
-        match self.metric {
-            Metric::Edges => 1.0,
-            Metric::Lengths(scales) => {
-                let [a, b] = [a as usize, b as usize];
-                let unit = scales.between(lines.points[a], lines.points[b]);
-                distance(lines.positions[a], lines.positions[b]) / unit
-            }
-        }
-    }
-
     /// The shortest path from `a` to `b`, as vertices from `b` back to `a`; `None` if it is longer than `limit`.
     pub fn path(&mut self, lines: &LineGraph, a: u32, b: u32, limit: f64) -> Option<Vec<u32>> {
         self.begin(a);
@@ -80,7 +67,7 @@ impl<'a> Walker<'a> {
     pub fn depth(&mut self, lines: &LineGraph, root: u32, first: u32, limit: f64) -> f64 {
         self.begin(root);
         self.heap.clear();
-        self.reach(first, root, self.length(lines, root, first));
+        self.reach(first, root, self.metric.length(lines, root, first));
         let mut deepest = 0.0_f64;
         while let Some((Reverse(Length(length)), Reverse(v))) = self.heap.pop() {
             deepest = deepest.max(length);
@@ -108,7 +95,7 @@ impl<'a> Walker<'a> {
 
     fn expand(&mut self, lines: &LineGraph, v: u32, except: Option<u32>, length: f64, limit: f64) {
         for &next in &lines.edges[v as usize] {
-            let total = length + self.length(lines, v, next);
+            let total = length + self.metric.length(lines, v, next);
             let known = self.stamp[next as usize] == self.now && self.reached[next as usize] <= total;
             if !known && total <= limit && Some(next) != except {
                 self.reach(next, v, total);

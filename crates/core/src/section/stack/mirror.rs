@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use super::profile::Profile;
 use super::result::Mirror;
+use super::slice::Slice;
 use crate::math::vec2::{along, distance, dot, left, sub};
 use crate::math::vec3;
 use crate::section::result::Sections;
@@ -22,16 +23,17 @@ const MOST_MIRRORS: usize = 16;
 /// held against all.
 pub(super) fn mirrors(levels: &[Vec<Profile>], sections: &Sections, tolerance: f64) -> Vec<Mirror> {
     let all: Vec<&Profile> = levels.iter().flatten().collect();
-    let filled: Vec<&[Profile]> = levels.iter().map(Vec::as_slice).filter(|l| !l.is_empty()).collect();
+    let filled: Vec<Slice> = levels.iter().filter(|l| !l.is_empty()).map(|l| Slice::new(l)).collect();
     let Some(centre) = centroid(&all) else { return Vec::new() };
     if filled.len() < 2 || concentric(&all, tolerance) {
         return Vec::new();
     }
     let enough = 1.5 * tolerance;
-    let few: Vec<&[Profile]> = filled.iter().copied().step_by(filled.len().div_ceil(FIRST_LOOK.0)).collect();
+    let all_slices: Vec<&Slice> = filled.iter().collect();
+    let few: Vec<&Slice> = filled.iter().step_by(filled.len().div_ceil(FIRST_LOOK.0)).collect();
     let off = |angle: f64| worst(&few, centre, angle, FIRST_LOOK.1, 20.0 * enough);
     let sure = |angle: f64| {
-        let residual = worst(&filled, centre, angle, POINTS, enough);
+        let residual = worst(&all_slices, centre, angle, POINTS, enough);
         (residual <= enough).then_some((residual, angle))
     };
     let mut found: Vec<(f64, f64)> = candidates(&off, enough).into_par_iter().filter_map(sure).collect();
@@ -78,22 +80,20 @@ fn concentric(all: &[&Profile], tolerance: f64) -> bool {
 
 /// Mean distance of mirrored points from the contours of the same slice: the greatest over the contours, but for one in
 /// ten, as a slice through an edge is drawn by chance. The value so far once too many are beyond `enough`.
-fn worst(levels: &[&[Profile]], centre: [f64; 2], angle: f64, points: usize, enough: f64) -> f64 {
+fn worst(slices: &[&Slice], centre: [f64; 2], angle: f64, points: usize, enough: f64) -> f64 {
     let direction = [angle.cos(), angle.sin()];
     let image = |p: [f64; 2]| {
         let d = sub(p, centre);
         let turned = along([0.0; 2], direction, 2.0 * dot(d, direction));
         along(centre, sub(turned, d), 1.0)
     };
-    let spared = levels.iter().map(|l| l.len()).sum::<usize>() / 10;
+    let spared = slices.iter().map(|s| s.profiles.len()).sum::<usize>() / 10;
     // The greatest so far, ascending: as many as are spared, and one.
     let mut greatest: Vec<f64> = Vec::new();
-    for (level, profile) in levels.iter().flat_map(|level| level.iter().map(move |p| (level, p))) {
-        let alike = || level.iter().filter(|o| o.hole == profile.hole);
+    for (slice, profile) in slices.iter().flat_map(|slice| slice.profiles.iter().map(move |p| (slice, p))) {
         let (mut sum, mut count) = (0.0, 0.0);
         for p in profile.some(points) {
-            let at = image(p);
-            sum += alike().map(|o| o.outline.off(at)).fold(f64::INFINITY, f64::min);
+            sum += slice.off(profile.hole, image(p));
             count += 1.0;
         }
         let mean: f64 = sum / count;
