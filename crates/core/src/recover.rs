@@ -1,11 +1,13 @@
 //! From a pattern to a network: strips between nodes, each with its curve.
 
+mod faces;
 mod nodes;
 mod spline;
 mod tidy;
 mod verify;
 mod world;
 
+pub(crate) use faces::refit;
 pub(crate) use spline::span_spacings;
 pub use verify::take_back;
 pub use world::to_world;

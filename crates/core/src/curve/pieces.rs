@@ -1,18 +1,22 @@
 //! A row of points along a curve as lines, arcs, circles and splines end to end, those of least description length.
 //!
 //! [`search`] finds the breaks between lines and arcs, [`refine`] moves them, [`merge`] puts runs of short arcs together where a spline
-//! says them in fewer numbers, [`join`] lets the pieces meet.
+//! says them in fewer numbers, [`join`] lets the pieces meet, [`rejoin`](mod@rejoin) again after their curves have moved.
 
+mod free;
 mod join;
 mod merge;
 mod noise;
 mod piece;
 mod refine;
+mod rejoin;
 mod search;
 mod sigma;
 
+pub(crate) use free::Free;
 pub(crate) use noise::Noise;
 pub use piece::{Piece, Shape, Sigma};
+pub(crate) use rejoin::rejoin;
 
 use noise::{Kind, Span};
 

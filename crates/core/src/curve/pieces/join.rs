@@ -1,45 +1,26 @@
 //! Pieces that meet: each fitted by itself, the joints where neighbours cross or come nearest, then each through its joints.
 
+use super::free::{Free, meet};
 use super::merge::spline;
 use super::noise::{Kind, Noise, Span};
 use super::piece::{Piece, Shape};
 use super::sigma::sigma;
 use crate::curve::round::{Round, plane};
-use crate::math::vec3::{add_scaled, distance, distance2, dot, sub, unit};
+use crate::math::vec3::{distance, distance2, sub, unit};
 
-/// Rounds of feet from one curve to the other on the way to where they meet.
-const FEET: usize = 60;
 /// Points left out at both ends of an arc's fit, where it has enough others.
 const ENDS: usize = 1;
 
 /// A span fitted by itself.
-enum Free {
-    Line { at: [f64; 3], direction: [f64; 3] },
-    Arc(Round),
-    Other,
-}
-
-impl Free {
-    fn fit(points: &[[f64; 3]], kind: Kind) -> Free {
-        let inner = if points.len() > 2 * ENDS + 4 { &points[ENDS..points.len() - ENDS] } else { points };
-        match kind {
-            Kind::Line => match plane(inner) {
-                Some((at, [direction, ..])) => Free::Line { at, direction },
-                None => {
-                    Free::Line { at: points[0], direction: unit(sub(points[points.len() - 1], points[0])) }
-                }
-            },
-            Kind::Arc => Round::fit(inner).map_or(Free::Other, Free::Arc),
-            Kind::Spline(_) => Free::Other,
-        }
-    }
-
-    fn foot(&self, p: [f64; 3]) -> [f64; 3] {
-        match self {
-            Free::Line { at, direction } => add_scaled(*at, *direction, dot(sub(p, *at), *direction)),
-            Free::Arc(round) => round.foot(p),
-            Free::Other => p,
-        }
+fn free(points: &[[f64; 3]], kind: Kind) -> Free {
+    let inner = if points.len() > 2 * ENDS + 4 { &points[ENDS..points.len() - ENDS] } else { points };
+    match kind {
+        Kind::Line => match plane(inner) {
+            Some((at, [direction, ..])) => Free::Line { at, direction },
+            None => Free::Line { at: points[0], direction: unit(sub(points[points.len() - 1], points[0])) },
+        },
+        Kind::Arc => Round::fit(inner).map_or(Free::Other, Free::Arc),
+        Kind::Spline(_) => Free::Other,
     }
 }
 
@@ -52,13 +33,14 @@ pub(super) fn join(
     closed: bool,
     start: usize,
 ) -> Vec<Piece> {
-    let free: Vec<Free> = spans.iter().map(|s| Free::fit(&points[s.first..=s.last], s.kind)).collect();
+    let free: Vec<Free> = spans.iter().map(|s| free(&points[s.first..=s.last], s.kind)).collect();
+    let joint = |a: &Free, b: &Free, at: usize| meet(a, b, points[at], reach(points, at));
     let n = spans.len();
     let mut joints = vec![points[0]];
-    joints.extend((1..n).map(|k| meet(&free[k - 1], &free[k], points, spans[k].first)));
+    joints.extend((1..n).map(|k| joint(&free[k - 1], &free[k], spans[k].first)));
     joints.push(points[points.len() - 1]);
     if closed && n > 1 {
-        joints[0] = meet(&free[n - 1], &free[0], points, 0);
+        joints[0] = joint(&free[n - 1], &free[0], 0);
         joints[n] = joints[0];
     }
     let piece = |(k, span): (usize, &Span)| {
@@ -72,20 +54,11 @@ pub(super) fn join(
     spans.iter().enumerate().map(piece).collect()
 }
 
-/// Where two curves meet near the point of their break: where feet from one to the other come to rest, if that is not far off.
-fn meet(a: &Free, b: &Free, points: &[[f64; 3]], at: usize) -> [f64; 3] {
-    let near = points[at];
-    let first = (a.foot(near), b.foot(near));
-    let mut feet = first;
-    for _ in 0..FEET {
-        feet.1 = b.foot(feet.0);
-        feet.0 = a.foot(feet.1);
-    }
-    let middle = |(p, q): ([f64; 3], [f64; 3])| add_scaled(p, sub(q, p), 0.5);
-    let before = distance(near, points[at.saturating_sub(1)]);
-    let after = distance(near, points[(at + 1).min(points.len() - 1)]);
-    let reach = 3.0 * before.max(after);
-    if distance(middle(feet), near) <= reach { middle(feet) } else { middle(first) }
+/// How far from the point of their break two curves may meet.
+fn reach(points: &[[f64; 3]], at: usize) -> f64 {
+    let before = distance(points[at], points[at.saturating_sub(1)]);
+    let after = distance(points[at], points[(at + 1).min(points.len() - 1)]);
+    3.0 * before.max(after)
 }
 
 fn through(points: &[[f64; 3]], span: &Span, free: &Free, noise: &Noise, [from, to]: [[f64; 3]; 2]) -> Piece {
@@ -110,14 +83,12 @@ fn through(points: &[[f64; 3]], span: &Span, free: &Free, noise: &Noise, [from, 
 /// The arc through the ends of the row, its normal such that it runs counter-clockwise.
 fn arc(round: &Round, row: &[[f64; 3]]) -> Option<Shape> {
     let (from, to) = (row[0], row[row.len() - 1]);
-    let mut round = round.through(from, to, row)?;
+    let mut round = round.through(from, to, row, 0.0)?;
     let turned = round.sweep(row);
     if turned < 0.0 {
         round.normal = round.normal.map(|x| -x);
     }
-    let ends = round.sweep(&[from, to]);
-    let full = std::f64::consts::TAU;
-    let sweep = if distance(from, to) <= 1e-9 * round.radius { full } else { ends.rem_euclid(full) };
+    let sweep = round.sweep_between(from, to);
     // Points that go back and forth across the chord are no arc.
     ((sweep - turned.abs()).abs() < 1.0).then_some(Shape::Arc { round, sweep })
 }

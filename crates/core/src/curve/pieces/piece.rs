@@ -16,7 +16,7 @@ pub struct Piece {
     pub first: usize,
     /// The last one. At most `first` where the piece runs over the end of a closed row.
     pub last: usize,
-    /// Root mean square distance of these points from it.
+    /// Root mean square distance of these points from it; of the points of the strip where it was laid along the faces.
     pub deviation: f64,
     /// How well its parameters are known; `None` for splines, and where the points do not determine them.
     pub sigma: Option<Sigma>,

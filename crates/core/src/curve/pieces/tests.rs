@@ -1,6 +1,7 @@
 //! Rows of points with known curves, with and without noise.
 
-use super::{Noise, Piece, Shape, pieces};
+use super::{Free, Noise, Piece, Shape, pieces, rejoin};
+use crate::curve::Round;
 use crate::math::uniform::uniform;
 use crate::math::vec3::{distance, sub};
 
@@ -96,6 +97,33 @@ fn ends_lie_on_their_arc() {
         assert!((x * a + y * b + z * c).abs() < 1e-9 * round.radius);
     }
     assert!((sweep.to_degrees() - 120.0).abs() < 6.0, "{}", sweep.to_degrees());
+}
+
+#[test]
+fn pieces_on_curves_that_moved_meet_again_and_keep_their_nodes() {
+    let points = [line([0.0, 0.0, 2.0], [20.0, 0.0, 2.0]), arc([20.0, 8.0], 8.0, -90.0, 30.0)].concat();
+    let pieces = found(&points, false, 0.0);
+    let moved = |piece: &Piece| match Free::of(piece) {
+        Free::Arc(round) => Free::Arc(Round { radius: round.radius - 0.1, ..round }),
+        Free::Line { at: [x, y, z], direction } => Free::Line { at: [x, y + 0.1, z], direction },
+        Free::Other => Free::Other,
+    };
+    let free: Vec<Free> = pieces.iter().map(moved).collect();
+    let again = rejoin(&pieces, &free, false, 0.5).unwrap();
+    assert_eq!(names(&again), ["line", "arc"]);
+    assert_eq!((again[0].from, again[1].to), (pieces[0].from, pieces[1].to));
+    assert_eq!(again[0].to, again[1].from);
+    assert!((radius(&again[1]) - 7.9).abs() < 0.02, "{}", radius(&again[1]));
+    let Shape::Arc { round, .. } = &again[1].shape else { panic!("{again:?}") };
+    assert!([again[1].from, again[1].to].iter().all(|&p| distance(round.foot(p), p) < 1e-9));
+}
+
+#[test]
+fn an_arc_that_would_turn_otherwise_is_left() {
+    let points = [line([0.0, 0.0, 2.0], [20.0, 0.0, 2.0]), arc([20.0, 8.0], 8.0, -90.0, 30.0)].concat();
+    let pieces = found(&points, false, 0.0);
+    let far = Round { centre: [20.0, -20.0, 2.0], normal: [0.0, 0.0, 1.0], radius: 40.0 };
+    assert!(rejoin(&pieces, &[Free::of(&pieces[0]), Free::Arc(far)], false, 0.5).is_none());
 }
 
 #[test]

@@ -16,8 +16,9 @@ pub fn least_squares<const N: usize>(rows: impl Iterator<Item = ([f64; N], f64)>
     solve(m, right)
 }
 
-/// Elimination; the matrix is positive semidefinite and needs no pivoting.
-fn solve<const N: usize>(mut m: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
+/// The `x` with `m x = right`, by elimination; the matrix is positive semidefinite and needs no pivoting. `None` where it is singular to
+/// rounding.
+pub fn solve<const N: usize>(mut m: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
     let diagonal: [f64; N] = std::array::from_fn(|i| m[i][i]);
     for i in 0..N {
         // Written so that a pivot that is not a number is refused too.
@@ -38,9 +39,18 @@ fn solve<const N: usize>(mut m: [[f64; N]; N], mut right: [f64; N]) -> Option<[f
     Some(right)
 }
 
+/// The inverse of a positive definite matrix; `None` where it is singular to rounding.
+pub fn inverse<const N: usize>(m: [[f64; N]; N]) -> Option<[[f64; N]; N]> {
+    let mut inverse = [[0.0; N]; N];
+    for (k, row) in inverse.iter_mut().enumerate() {
+        *row = solve(m, std::array::from_fn(|i| f64::from(u8::from(i == k))))?;
+    }
+    Some(inverse)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::least_squares;
+    use super::{inverse, least_squares};
 
     #[test]
     fn coefficients_are_found_again_and_what_is_not_determined_is_refused() {
@@ -50,5 +60,18 @@ mod tests {
         assert_eq!(least_squares([0.0, 1.0].into_iter().map(row)), None);
         assert_eq!(least_squares([0.0, 1.0, f64::NAN].into_iter().map(row)), None);
         assert_eq!(least_squares(std::iter::empty::<([f64; 2], f64)>()), None);
+    }
+
+    #[test]
+    fn a_matrix_times_its_inverse_is_one() {
+        let m = [[4.0, 1.0, 0.5], [1.0, 3.0, -1.0], [0.5, -1.0, 2.0]];
+        let other = inverse(m).unwrap();
+        for (i, row) in m.iter().enumerate() {
+            for j in 0..3 {
+                let sum: f64 = row.iter().zip(&other).map(|(x, other)| x * other[j]).sum();
+                assert!((sum - f64::from(u8::from(i == j))).abs() < 1e-12);
+            }
+        }
+        assert!(inverse([[1.0, 1.0], [1.0, 1.0]]).is_none());
     }
 }
