@@ -1,7 +1,7 @@
 //! A row of points along a curve as lines, arcs, circles and splines end to end, those of least description length.
 //!
-//! [`search`] finds the breaks between lines and arcs, [`refine`] moves them, [`merge`] puts runs of short arcs together where a spline
-//! says them in fewer numbers, [`join`] lets the pieces meet, [`rejoin`](mod@rejoin) again after their curves have moved.
+//! `search` finds the breaks between lines and arcs, `refine` moves them, `merge` puts runs of short arcs together where a spline
+//! says them in fewer numbers, `join` lets the pieces meet, `rejoin` again after their curves have moved.
 
 mod free;
 mod join;
