@@ -1,7 +1,8 @@
 //! The minimum spanning graph and its pruning (Gumhold 2001, sections 3.2 and 3.3).
 //!
 //! `weight` makes the queue of edges, `graph` builds the minimum spanning graph from it with the cycle test, `prune` removes
-//! short branches. `walk` has the breadth-first searches of both, `rule` the length `rho`.
+//! short branches. `web` knows the shortest path that an edge would close to a cycle, by `two_sided` searches; `walk` has the
+//! bounded searches of pruning and repair, `rule` the length `rho`.
 
 mod graph;
 mod prune;

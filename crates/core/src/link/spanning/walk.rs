@@ -1,4 +1,4 @@
-//! Bounded walks on a line graph, shared by the cycle test and the pruning.
+//! Bounded walks on a line graph, for pruning and for the repair and connection of lines.
 
 use super::rule::Metric;
 use crate::pattern::LineGraph;
