@@ -11,6 +11,7 @@ mod params;
 mod parse;
 mod patches;
 mod render;
+mod report;
 mod section;
 mod slices;
 
@@ -24,6 +25,7 @@ pub use man::Man;
 pub use params::Params;
 pub use patches::Patches;
 pub use render::Render;
+pub use report::Report;
 pub use section::{Section, Slicing};
 pub use slices::Slices;
 
@@ -77,6 +79,9 @@ pub enum Command {
     /// Draw a scan and its lines as a PNG picture
     #[command(long_about = render::ABOUT)]
     Render(Render),
+    /// Write a report of a scan and its lines that a browser opens
+    #[command(long_about = report::ABOUT)]
+    Report(Report),
     /// Cut a scan by planes and write the curves in which they meet its surface
     #[command(long_about = section::ABOUT)]
     Section(Section),

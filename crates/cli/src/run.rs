@@ -7,9 +7,11 @@ mod context;
 mod extract;
 mod info;
 mod man;
+mod page;
 mod params;
 mod patches;
 mod render;
+mod report;
 mod section;
 mod slices;
 mod slicing;
@@ -26,6 +28,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Clean(args) => clean::run(&args),
         Command::Patches(args) => patches::run(&args),
         Command::Render(args) => render::run(&args),
+        Command::Report(args) => report::run(&args),
         Command::Section(args) => section::run(&args),
         Command::Slices(args) => slices::run(&args),
         Command::Info(args) => info::run(&args),

@@ -51,6 +51,12 @@ impl Input {
     pub fn reference(&self) -> Option<String> {
         self.epsg.map(|code| format!("EPSG:{code}")).or_else(|| self.crs.clone())
     }
+
+    /// The direction that points up in pictures: y for glTF, as that format has it, and z for all others.
+    pub fn up(&self) -> [f64; 3] {
+        let y_up = |(format, _): &(String, u64)| ["glTF", "GLB"].contains(&format.as_str());
+        if self.format.as_ref().is_some_and(y_up) { [0.0, 1.0, 0.0] } else { [0.0, 0.0, 1.0] }
+    }
 }
 
 /// The inputs of a command line, in order.

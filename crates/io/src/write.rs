@@ -4,11 +4,13 @@ mod encode;
 mod network;
 mod patches;
 mod points;
+mod report;
 mod section;
 mod stages;
 
 pub use network::{NetworkContext, Parameter, write_network, write_network_to};
 pub use patches::write_patches;
 pub use points::{PointTable, write_points, write_points_to};
+pub use report::{Report, write_report, write_report_to};
 pub use section::{SectionContext, write_sections, write_sections_to, write_slice_picture};
 pub use stages::write_stages;

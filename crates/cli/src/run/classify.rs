@@ -6,8 +6,9 @@ use std::time::Instant;
 use lineament::detect::baselines::Detector;
 use lineament::detect::points::{Marked, mark};
 use lineament::{Attribute, Class, Column, Network};
-use lineament_io::{PointFormat, PointTable, ReadOptions, point_format, write_points};
+use lineament_io::{PointFormat, PointTable, ReadOptions, Report, point_format, write_points, write_report};
 
+use super::page;
 use crate::args::Classify;
 use crate::batch::Done;
 use crate::failure::{Code, Failure};
@@ -32,12 +33,13 @@ pub fn run(args: &Classify) -> Result<(), Failure> {
     if source::is_list(&args.work.source) {
         return source::print_list();
     }
+    let bare = [PointFormat::Npy, PointFormat::Html];
     let holds_scores =
-        |path: &PathBuf| path != Path::new("-") && point_format(path).is_ok_and(|f| f != PointFormat::Npy);
+        |path: &PathBuf| path != Path::new("-") && point_format(path).is_ok_and(|f| !bare.contains(&f));
     if args.scores && !args.output.iter().any(holds_scores) {
         return Err(Failure::new(
             Code::Usage,
-            "--scores: NPY holds classes only: add an output `-o NAME.ply`",
+            "--scores: NPY and HTML hold classes only: add an output `-o NAME.ply`",
         ));
     }
     let work = work::prepare(&args.work, &args.output, &SUFFIXES, point_format)?;
@@ -55,11 +57,22 @@ fn one(work: &Work, args: &Classify, origin: &Origin, outputs: &[PathBuf]) -> Re
         let every = marked(work, origin, &input, &Detector::ALL)?;
         input.cloud.attributes.extend((0..Detector::ALL.len()).map(|which| attribute(&every, which)));
     }
-    let classes: Vec<u8> = found.classes.into_iter().map(|class| class as u8).collect();
+    let classes = page::numbers(&found.classes);
     let table =
         PointTable { cloud: &input.cloud, classes: &classes, scores: &found.scores, las: input.las.as_ref() };
+    let (inputs, provenance) = (work.inputs_with(&input), page::provenance(&input));
+    let report = Report {
+        cloud: Some(&input.cloud),
+        classes: &classes,
+        network: found.network.as_ref(),
+        up: input.up(),
+        ..Report::new(&provenance)
+    };
     for path in outputs {
-        outputs::write(path, || write_points(path, &work.inputs_with(&input), &table))?;
+        outputs::write(path, || match page::is_page(path) {
+            true => write_report(path, &inputs, &report),
+            false => write_points(path, &inputs, &table),
+        })?;
     }
     let mut lines = found.lines;
     lines.push(counts(&classes));

@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use lineament::{Attribute, Class, Cleaned, Cloud, Column, clean};
-use lineament_io::{PointFormat, PointTable, ReadOptions, point_format, write_points};
+use lineament_io::{PointFormat, PointTable, ReadOptions, Report, point_format, write_points, write_report};
 
+use super::page;
 use crate::args;
 use crate::batch::Done;
 use crate::failure::{Code, Failure};
@@ -78,6 +79,12 @@ fn write(
         PointFormat::Las | PointFormat::Laz if !labels.is_empty() => {
             let cloud = with_noise(&input.cloud, clutter);
             write_points(path, inputs, &PointTable { cloud: &cloud, ..table })
+        }
+        PointFormat::Html => {
+            let provenance = page::provenance(input);
+            let report =
+                Report { cloud: Some(&input.cloud), classes: labels, up: input.up(), ..Report::new(&provenance) };
+            write_report(path, inputs, &report)
         }
         _ => write_points(path, inputs, &table),
     }

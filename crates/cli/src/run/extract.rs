@@ -8,7 +8,7 @@ use lineament::apply::render::View;
 use lineament_io::{NetworkContext, NetworkFormat, ReadOptions, network_format, write_network};
 
 use super::context::context;
-use super::stages;
+use super::{page, stages};
 use crate::args::Extract;
 use crate::batch::Done;
 use crate::failure::{Code, Failure};
@@ -58,8 +58,12 @@ fn one(
         ..context(&input, &work.params, &found)
     };
     let writing = Instant::now();
+    let inputs = work.inputs_with(&input);
     for path in outputs {
-        outputs::write(path, || write_network(path, &work.inputs_with(&input), &found.network, &context))?;
+        outputs::write(path, || match page::is_page(path) {
+            true => page::extracted(path, &inputs, &input, &found, &context),
+            false => write_network(path, &inputs, &found.network, &context),
+        })?;
     }
     let staged = stages::write(work, args.stages.as_deref(), origin, &input.cloud, &found)?;
     let [wrote, total] = [writing, start].map(|t| t.elapsed().as_secs_f64());

@@ -9,7 +9,7 @@ use lineament::{Attribute, Column, Extraction, Method, Params, Patches};
 use lineament_io::{PatchFormat, PointTable, ReadOptions, patch_format, write_patches};
 
 use super::context::context;
-use super::stages;
+use super::{page, stages};
 use crate::args;
 use crate::batch::Done;
 use crate::failure::Failure;
@@ -47,9 +47,11 @@ fn one(work: &Work, args: &args::Patches, origin: &Origin, outputs: &[PathBuf]) 
     let classes: Vec<u8> = found.classes().into_iter().map(|class| class as u8).collect();
     let table = PointTable { cloud: &input.cloud, classes: &classes, scores: &[], las: input.las.as_ref() };
     let writing = Instant::now();
+    let inputs = work.inputs_with(&input);
     for path in outputs {
-        outputs::write(path, || {
-            write_patches(path, &work.inputs_with(&input), &found.network, &context, &table)
+        outputs::write(path, || match page::is_page(path) {
+            true => page::extracted(path, &inputs, &input, &found, &context),
+            false => write_patches(path, &inputs, &found.network, &context, &table),
         })?;
     }
     let staged = stages::write(work, args.stages.as_deref(), origin, &input.cloud, &found)?;

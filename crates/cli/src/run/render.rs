@@ -75,18 +75,17 @@ fn settings(args: &Render) -> Result<Settings, Failure> {
     Ok(settings)
 }
 
-/// Accepts `-` and names that end in `.png`.
 /// The axis of that name; without one that of the format of the input.
 fn up(name: &str, input: &Input) -> [f64; 3] {
-    let y_up = |(format, _): &(String, u64)| ["glTF", "GLB"].contains(&format.as_str());
     match name {
         "x" => [1.0, 0.0, 0.0],
         "y" => [0.0, 1.0, 0.0],
-        "auto" if input.format.as_ref().is_some_and(y_up) => [0.0, 1.0, 0.0],
+        "auto" => input.up(),
         _ => [0.0, 0.0, 1.0],
     }
 }
 
+/// Accepts `-` and names that end in `.png`.
 fn png_only(path: &Path) -> Result<(), Failure> {
     let is_png = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("png"));
     if is_png || path.as_os_str() == "-" {

@@ -4,8 +4,11 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use lineament::section::SectionParams;
-use lineament_io::{LasFrame, SectionContext, SectionFormat, section_format, write_sections};
+use lineament_io::{
+    LasFrame, Report, SectionContext, SectionFormat, section_format, write_report, write_sections,
+};
 
+use super::page;
 use super::slicing::{HEADER, cut, row, said};
 use crate::args::Section;
 use crate::batch::{self, Done};
@@ -56,7 +59,14 @@ fn one(
     };
     for path in outputs {
         let inputs = [inputs, &input.beside].concat();
-        outputs::write(path, || write_sections(path, &inputs, &sections, &context))?;
+        outputs::write(path, || match page::is_page(path) {
+            true => {
+                let (provenance, sections) = (page::provenance(&input), Some((&sections, &context.stack)));
+                let (cloud, up) = (Some(&input.cloud), input.up());
+                write_report(path, &inputs, &Report { cloud, sections, up, ..Report::new(&provenance) })
+            }
+            false => write_sections(path, &inputs, &sections, &context),
+        })?;
     }
     let mut lines = said(&args.running, &input, &sections, &context.stack);
     lines.extend(summary::unplaced(&input, outputs));

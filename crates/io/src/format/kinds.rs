@@ -82,6 +82,8 @@ pub enum NetworkFormat {
     Vtp,
     /// A row for each point.
     Csv,
+    /// A page for browsers; without the points, which `write_report` adds.
+    Html,
 }
 
 /// A format that classified points are written in.
@@ -106,6 +108,8 @@ pub enum PointFormat {
     Las,
     /// The same as LAZ 1.4.
     Laz,
+    /// Positions and classes as a page for browsers.
+    Html,
 }
 
 /// A format that patches are written in.
@@ -118,6 +122,8 @@ pub enum PatchFormat {
     Dxf,
     /// The points with the patch of each.
     Points(PointFormat),
+    /// A page for browsers.
+    Html,
 }
 
 /// A format that sections are written in.
@@ -138,4 +144,6 @@ pub enum SectionFormat {
     GeoJson,
     /// The same as a database of two layers.
     GeoPackage,
+    /// A page for browsers; without the points, which `write_report` adds.
+    Html,
 }

@@ -78,6 +78,13 @@ pub const FORMATS: &[FileFormat] = &[
         section: Some((SectionFormat::GeoPackage, "GeoPackage, layers of areas and open lines")),
         ..named("GeoPackage", &["gpkg"])
     },
+    FileFormat {
+        network: Some((NetworkFormat::Html, "a report for browsers: points and lines to turn, filter and measure")),
+        points: Some((PointFormat::Html, "a report for browsers: the points by class")),
+        patches: Some((PatchFormat::Html, "a report for browsers: points by patch, lines, surfaces")),
+        section: Some((SectionFormat::Html, "a report for browsers: points, slices and features")),
+        ..named("HTML", &["html", "htm"])
+    },
     FileFormat { read: Some(Format::Gltf), ..named("glTF", &["gltf"]) },
     FileFormat {
         read: Some(Format::Gltf),

@@ -1,7 +1,7 @@
 //! Networks: one file for each format.
 
 pub(super) mod check;
-mod context;
+pub(super) mod context;
 mod csv;
 pub(super) mod dxf;
 mod geojson;
@@ -9,7 +9,7 @@ mod glb;
 mod gpkg;
 pub(super) mod json;
 mod obj;
-mod patch;
+pub(super) mod patch;
 mod piece;
 mod ply;
 mod svg;
@@ -20,6 +20,7 @@ pub use context::{NetworkContext, Parameter};
 use crate::error::Error;
 use crate::format::{NetworkFormat, network_format};
 use crate::output::Output;
+use crate::write::report::{Report, write_report_to};
 use lineament::Network;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -63,5 +64,8 @@ pub fn write_network_to(
         NetworkFormat::Glb => glb::write(out, network),
         NetworkFormat::Vtp => vtp::write(out, network),
         NetworkFormat::Csv => csv::write(out, network),
+        NetworkFormat::Html => {
+            write_report_to(out, &Report { network: Some(network), ..Report::new(context) })
+        }
     }
 }

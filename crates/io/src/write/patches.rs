@@ -4,6 +4,7 @@ use super::encode::dxf;
 use super::network::dxf::extent;
 use super::network::{self, NetworkContext, json};
 use super::points::{self, PointTable, write_points_to};
+use super::report::{Report, write_report_to};
 use crate::error::Error;
 use crate::format::{PatchFormat, patch_format};
 use crate::output::Output;
@@ -35,6 +36,15 @@ pub fn write_patches(
         PatchFormat::Json => json::write(out, network, context),
         PatchFormat::Dxf => loops(out, network, patches),
         PatchFormat::Points(format) => write_points_to(out, format, table),
+        PatchFormat::Html => write_report_to(
+            out,
+            &Report {
+                cloud: Some(table.cloud),
+                classes: table.classes,
+                network: Some(network),
+                ..Report::new(context)
+            },
+        ),
     })
 }
 

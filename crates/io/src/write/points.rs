@@ -16,6 +16,8 @@ pub use table::PointTable;
 use crate::error::Error;
 use crate::format::{PointFormat, point_format};
 use crate::output::Output;
+use crate::write::network::context::NetworkContext;
+use crate::write::report::{Report, write_report_to};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -47,5 +49,13 @@ pub fn write_points_to(out: &mut dyn Write, format: PointFormat, table: &PointTa
         PointFormat::Csv => text::write(out, table, ','),
         PointFormat::Las => las::write(out, table, false),
         PointFormat::Laz => las::write(out, table, true),
+        PointFormat::Html => page(out, table),
     }
+}
+
+/// A report of the points by class.
+fn page(out: &mut dyn Write, table: &PointTable) -> io::Result<()> {
+    let context = NetworkContext { input_points: table.cloud.len() as u64, ..NetworkContext::default() };
+    let report = Report { cloud: Some(table.cloud), classes: table.classes, ..Report::new(&context) };
+    write_report_to(out, &report)
 }

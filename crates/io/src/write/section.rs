@@ -15,6 +15,7 @@ pub use context::SectionContext;
 use crate::error::Error;
 use crate::format::{SectionFormat, section_format};
 use crate::output::Output;
+use crate::write::report::{Report, write_report_to};
 use lineament::section::Sections;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -51,7 +52,15 @@ pub fn write_sections_to(
         SectionFormat::Svg => svg::write(out, sections, context.millimetres),
         SectionFormat::GeoJson => geojson::write(out, sections, context.crs.as_deref()),
         SectionFormat::GeoPackage => gpkg::write(out, sections, context),
+        SectionFormat::Html => page(out, sections, context),
     }
+}
+
+/// A report of the sections alone.
+fn page(out: &mut dyn Write, sections: &Sections, context: &SectionContext) -> io::Result<()> {
+    let context_of_page = context.of_page();
+    let report = Report { sections: Some((sections, &context.stack)), ..Report::new(&context_of_page) };
+    write_report_to(out, &report)
 }
 
 /// Writes one section as a picture, with so many millimetres for a unit of the input; `None` fits it to 200 mm.

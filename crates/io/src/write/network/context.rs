@@ -47,12 +47,12 @@ pub struct Parameter {
 
 impl NetworkContext {
     /// What lies beside a strip, where patches were looked for.
-    pub(super) fn sides(&self, strip: usize) -> Option<&Sides> {
+    pub(in crate::write) fn sides(&self, strip: usize) -> Option<&Sides> {
         self.patches.as_ref().and_then(|patches| patches.sides.get(strip))
     }
 }
 
 /// The angle of the fold along a strip, between its patches or as the detector measured it; NaN where neither is known.
-pub(super) fn fold_deg(strip: &Strip, sides: Option<&Sides>) -> f64 {
+pub(in crate::write) fn fold_deg(strip: &Strip, sides: Option<&Sides>) -> f64 {
     sides.and_then(|sides| sides.fold_deg).or(strip.fold_deg).unwrap_or(f64::NAN)
 }

@@ -16,7 +16,7 @@ pub(super) fn patch(out: &mut dyn Write, id: usize, patch: &Patch) -> io::Result
     write!(out, "]}}")
 }
 
-fn surface(out: &mut dyn Write, fit: &Fit) -> io::Result<()> {
+pub(in crate::write) fn surface(out: &mut dyn Write, fit: &Fit) -> io::Result<()> {
     write!(out, "{{\"type\": \"{}\", ", fit.surface.name())?;
     match &fit.surface {
         Surface::Plane { point, normal } => {

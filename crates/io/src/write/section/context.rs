@@ -1,5 +1,6 @@
 //! Provenance of sections for their outputs.
 
+use crate::write::network::context::NetworkContext;
 use lineament::section::Stack;
 
 /// Provenance and features that a file states beside the curves.
@@ -21,4 +22,19 @@ pub struct SectionContext {
     pub millimetres: Option<f64>,
     /// The features of the stack of slices; empty if they were not asked for.
     pub stack: Stack,
+}
+
+impl SectionContext {
+    /// The provenance as reports take it.
+    pub fn of_page(&self) -> NetworkContext {
+        NetworkContext {
+            program_version: self.program_version.clone(),
+            input_name: self.input_name.clone(),
+            input_sha256: self.input_sha256.clone(),
+            input_points: self.input_points,
+            crs: self.crs.clone(),
+            crs_wkt: self.crs_wkt.clone(),
+            ..NetworkContext::default()
+        }
+    }
 }

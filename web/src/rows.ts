@@ -1,0 +1,122 @@
+// Rows of the tables: circles and arcs, all lines, runs of the slices, patches.
+
+import type { Report, Strip } from "./data";
+import { round } from "./measure";
+import { type State, figure, kindOf, title, uncertain } from "./state";
+
+export interface Row {
+  id: number;
+  /** Text and the value that it is sorted by. */
+  cells: [string, number | string][];
+}
+
+export interface Table {
+  name: string;
+  heads: string[];
+  rows: Row[];
+  pick: "strip" | "run" | "patch";
+}
+
+const degrees = (x: number | null | undefined) => (typeof x === "number" ? `${x.toFixed(1)}°` : "–");
+const sortable = (x: number | null | undefined) => (typeof x === "number" && Number.isFinite(x) ? x : -Infinity);
+
+export function tables(state: State): Table[] {
+  const { report } = state;
+  const kept = state.kept();
+  const rounds = kept.filter((strip) => round(strip));
+  return [
+    rounded(report, rounds), lines(report, kept),
+    ...(report.sections ? [runs(report)] : []), ...(report.patches.length ? [patches(report)] : []),
+  ];
+}
+
+function rounded(report: Report, strips: Strip[]): Table {
+  const rows = strips.map((strip): Row => {
+    const { radius, sigma, center } = round(strip)!;
+    const doubled = sigma === undefined ? undefined : 2 * sigma;
+    return {
+      id: strip.id,
+      cells: [
+        [holeOr(report, strip), holeOr(report, strip)], [uncertain(2 * radius, doubled), radius],
+        [uncertain(radius, sigma), radius], [figure(strip.length), strip.length],
+        [degrees(strip.fold_deg), sortable(strip.fold_deg)], [center.map(figure).join(", "), center[0]],
+        [strip.confidence.toFixed(2), strip.confidence],
+      ],
+    };
+  });
+  const heads = ["Name", "Diameter", "Radius", "Length", "Fold", "Centre", "Confidence"];
+  return { name: "Circles and arcs", heads, rows, pick: "strip" };
+}
+
+function lines(report: Report, strips: Strip[]): Table {
+  const rows = strips.map((strip): Row => ({
+    id: strip.id,
+    cells: [
+      [title(strip), strip.id], [strip.kind, strip.kind], [kindOf(strip), kindOf(strip)],
+      [figure(strip.length), strip.length], [degrees(strip.fold_deg), sortable(strip.fold_deg)],
+      [faces(report, strip), strip.left ?? -1], [strip.confidence.toFixed(2), strip.confidence],
+    ],
+  }));
+  return { name: "Lines", heads: ["Name", "Kind", "Type", "Length", "Fold", "Faces", "Confidence"], rows, pick: "strip" };
+}
+
+/** Angle of an arc from which on it may bound a hole or a boss, degrees: an arc of less is more likely a rounded corner. */
+const MOST_OF_A_TURN = 200;
+
+/**
+ * A circle by what it bounds, where the patches tell. The rim of a hole is a convex edge in an inner loop of its plane, the floor of a
+ * blind one a concave edge around its plane; of a boss it is the other way round.
+ */
+export function holeOr(report: Report, strip: Strip): string {
+  const patch = (id: number | null | undefined) => (typeof id === "number" ? report.patches[id] : undefined);
+  const type = (id: number | null | undefined) => patch(id)?.surface.type;
+  const walls = [strip.left, strip.right].filter((id) => type(id) === "cylinder" || type(id) === "cone");
+  const plane = patch([strip.left, strip.right].find((id) => type(id) === "plane"));
+  const loop = plane?.loops.find((l) => l.strips.includes(strip.id));
+  const whole = strip.closed || (strip.curves[0]?.sweep_deg ?? 0) > MOST_OF_A_TURN;
+  if (walls.length !== 1 || !loop || !whole || typeof strip.convex !== "boolean") return title(strip);
+  return `${strip.convex !== loop.outer ? "hole" : "boss"} ${strip.id}`;
+}
+
+export function faces(report: Report, strip: Strip): string {
+  if (strip.left === undefined) return "–";
+  const name = (id: number | null | undefined) => {
+    if (typeof id !== "number") return "none";
+    const surface = report.patches[id]?.surface;
+    return `${surface?.free_form ? "free-form" : (surface?.type ?? "patch")} ${id}`;
+  };
+  return `${name(strip.left)} | ${name(strip.right)}`;
+}
+
+function runs(report: Report): Table {
+  const zero = report.sections?.zero ?? 0;
+  const rows = (report.sections?.runs ?? []).map((run, id): Row => {
+    const [least, most] = run.radius;
+    const round = least === null ? "–" : least === most ? figure(2 * least) : `${figure(2 * least)} to ${figure(2 * (most ?? 0))}`;
+    const name = `${run.hole ? "hole" : run.feature} ${id}`;
+    return {
+      id,
+      cells: [
+        [name, name], [run.feature, run.feature], [round, sortable(least)],
+        [uncertain(run.from - zero, run.range_error[0]), run.from], [uncertain(run.to - zero, run.range_error[1]), run.to],
+        [figure(run.to - run.from), run.to - run.from], [`${run.contours.length}`, run.contours.length],
+      ],
+    };
+  });
+  return { name: "Features of the slices", heads: ["Name", "Feature", "Diameter", "From", "To", "Height", "Slices"], rows, pick: "run" };
+}
+
+function patches(report: Report): Table {
+  const rows = report.patches.map((patch, id): Row => {
+    const type = patch.surface.free_form ? "free-form" : patch.surface.type;
+    const radius = patch.surface.free_form ? undefined : patch.surface.radius;
+    return {
+      id,
+      cells: [
+        [`patch ${id}`, id], [type, type], [figure(patch.area), patch.area], [figure(radius), sortable(radius)],
+        [figure(patch.surface.residual), patch.surface.residual], [`${patch.points}`, patch.points],
+      ],
+    };
+  });
+  return { name: "Patches", heads: ["Name", "Surface", "Area", "Radius", "Residual", "Points"], rows, pick: "patch" };
+}
