@@ -1,8 +1,10 @@
 //! Tasks of the project: `cargo xtask` lists them.
 
+mod browser;
 mod man;
 mod rivals;
 mod test;
+mod web;
 mod workspace;
 
 use std::process::ExitCode;
@@ -12,7 +14,9 @@ Usage: cargo xtask TASK
 
   test [ARGS...]  run all tests; ARGS go to `cargo test`
   rivals          compare with other programs; installs them in `out` by pip and npm, and a browser by apt if none is there
-  man             write the manual pages to out/man";
+  man             write the manual pages to out/man
+  web             bundle the viewer of reports from the folder web; needs Node.js with npm
+  web --test      open reports in a browser, if one is there";
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -20,6 +24,8 @@ fn main() -> ExitCode {
         ["test", rest @ ..] => test::run(rest),
         ["rivals"] => rivals::run(),
         ["man"] => man::run(),
+        ["web"] => web::bundle(),
+        ["web", "--test"] => web::test(),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");
             Ok(())

@@ -4,7 +4,8 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::workspace::{cargo, root};
+use crate::browser::{BROWSERS, browser};
+use crate::workspace::{cargo, root, succeed};
 
 /// The programs compared with.
 const PACKAGES: [&str; 14] = [
@@ -13,9 +14,6 @@ const PACKAGES: [&str; 14] = [
 ];
 /// The programs that draw and check GLB.
 const MODULES: [&str; 2] = ["three", "gltf-validator"];
-/// Browsers by the names they go by.
-const BROWSERS: [&str; 5] =
-    ["chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "chrome"];
 
 /// Installs the programs in `out/venv` and `out/node`, once, and runs the tests that use them.
 pub fn run() -> Result<(), String> {
@@ -27,7 +25,7 @@ pub fn run() -> Result<(), String> {
     for package in PACKAGES {
         or_skip(package, Command::new(&python).args(["-m", "pip", "install", "--quiet", package]));
     }
-    compare(&python, modules().as_deref(), browser().as_deref())
+    compare(&python, modules().as_deref(), installed().as_deref())
 }
 
 /// The folder of the node modules, if npm can install them.
@@ -41,21 +39,12 @@ fn modules() -> Option<PathBuf> {
 }
 
 /// A browser that is there, or that Debian's package manager installs where it may.
-fn browser() -> Option<PathBuf> {
-    if let Some(named) = std::env::var_os("LINEAMENT_BROWSER") {
-        return Some(named.into());
-    }
-    let found = || {
-        let paths = std::env::var_os("PATH")?;
-        std::env::split_paths(&paths)
-            .flat_map(|p| BROWSERS.map(|name| p.join(name)))
-            .find(|path| path.is_file())
-    };
-    found().or_else(|| {
+fn installed() -> Option<PathBuf> {
+    browser().or_else(|| {
         let mut install = Command::new("apt-get");
         install.args(["install", "--yes", "--no-install-recommends", BROWSERS[0]]);
         or_skip("a browser", &mut install);
-        found()
+        browser()
     })
 }
 
@@ -74,12 +63,4 @@ fn compare(python: &Path, modules: Option<&Path>, browser: Option<&Path>) -> Res
 /// Whether a command that installs something worked; says that it is skipped if not.
 fn or_skip(what: &str, command: &mut Command) -> bool {
     succeed(command).inspect_err(|why| println!("{what} cannot be installed, and is skipped: {why}")).is_ok()
-}
-
-fn succeed(command: &mut Command) -> Result<(), String> {
-    match command.status() {
-        Ok(status) if status.success() => Ok(()),
-        Ok(status) => Err(format!("{command:?} failed ({status})")),
-        Err(e) => Err(format!("{command:?}: {e}")),
-    }
 }

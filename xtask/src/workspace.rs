@@ -15,3 +15,15 @@ pub fn cargo() -> Command {
     command.current_dir(root());
     command
 }
+
+/// Runs a command to its end.
+///
+/// # Errors
+/// A command that cannot be run, or that fails.
+pub fn succeed(command: &mut Command) -> Result<(), String> {
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("{command:?} failed ({status})")),
+        Err(e) => Err(format!("{command:?}: {e}")),
+    }
+}

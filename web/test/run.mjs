@@ -1,0 +1,234 @@
+// The report of the bracket in a browser: run.mjs FOLDER BROWSER, with bracket.html, bracket.dxf and bracket.csv as `extract` writes
+// them in one run, and stack.html as `report --slices` does. Prints a line a check; ends with 1 if one fails.
+import { chromium } from "playwright-core";
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [folder, executablePath] = process.argv.slice(2);
+const FLAGS = [
+  "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
+  "--disable-sync", "--force-device-scale-factor=1",
+];
+const DRAWING = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+const VIEW = { width: 1280, height: 860 };
+const url = (name) => pathToFileURL(join(folder, name)).href;
+const written = (name) => readFileSync(join(folder, name), "utf8");
+let failures = 0;
+
+async function check(name, act) {
+  try {
+    await act();
+    console.log(`ok      ${name}`);
+  } catch (error) {
+    failures++;
+    console.log(`FAILED  ${name}\n        ${String(error.stack ?? error).replaceAll("\n", "\n        ")}`);
+  }
+}
+
+/** Opens a report without a network, and gathers what goes wrong in it. */
+async function open(browser, name, options = {}) {
+  const context = await browser.newContext({ viewport: VIEW, acceptDownloads: true, offline: true, ...options });
+  const page = await context.newPage();
+  page.faults = [];
+  page.on("console", (message) => message.type() === "error" && page.faults.push(message.text()));
+  page.on("pageerror", (error) => page.faults.push(String(error)));
+  page.on("request", (request) => !/^(file|data|blob):/.test(request.url()) && page.faults.push(request.url()));
+  const start = Date.now();
+  await page.goto(url(name));
+  if (options.javaScriptEnabled !== false) {
+    await page.waitForFunction(() => window.lineament?.stage.frames > 0 || document.getElementById("state")?.textContent.includes("could not"));
+  }
+  page.milliseconds = Date.now() - start;
+  return page;
+}
+
+/** Waits until a frame of all that was asked for stands. */
+const settled = (page) => page.evaluate(() => new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 350)));
+
+/** Points along lines with their colour on the screen: how many have a pixel of that hue within two pixels. */
+function along(page, kind) {
+  return page.evaluate((kind) => {
+    const { report, state, stage } = window.lineament;
+    const canvas = document.createElement("canvas");
+    canvas.width = stage.canvas.width;
+    canvas.height = stage.canvas.height;
+    const draw = canvas.getContext("2d");
+    draw.drawImage(stage.canvas, 0, 0);
+    const { data } = draw.getImageData(0, 0, canvas.width, canvas.height);
+    const hue = (x, y) => {
+      for (let dy = -2; dy <= 2; dy++) for (let dx = -2; dx <= 2; dx++) {
+        const at = 4 * ((Math.round(y) + dy) * canvas.width + Math.round(x) + dx);
+        const red = data[at] - data[at + 2];
+        if (kind === "crease" ? red > 60 : red < -60) return true;
+      }
+      return false;
+    };
+    let [hits, total] = [0, 0];
+    for (const strip of report.strips.filter((s) => s.kind === kind)) {
+      for (let i = 0; i < strip.points.length; i += 3) {
+        const [x, y] = stage.project(strip.points[i], strip.points[i + 1], strip.points[i + 2]);
+        total++;
+        if (hue(x, y)) hits++;
+      }
+    }
+    return { hits, total, kept: state.kept().length };
+  }, kind);
+}
+
+/** The middle of a line in sight, on the screen and on the page, farther from all other lines than the reach of a pick. */
+function free(page, wanted = () => true) {
+  return page.evaluate((wanted) => {
+    const { report, stage } = window.lineament;
+    const fits = new Function(`return ${wanted}`)();
+    const flat = report.strips.map((s) => {
+      const out = [];
+      for (let i = 0; i < s.points.length; i += 3) out.push(stage.project(s.points[i], s.points[i + 1], s.points[i + 2]));
+      return out;
+    });
+    const nearest = Math.min(...flat.flat().map((p) => p[2]));
+    for (const strip of report.strips.filter(fits)) {
+      for (const p of flat[strip.id].slice(1, -1).sort((a, b) => a[2] - b[2]).slice(0, 3)) {
+        const clear = flat.every((other, id) => id === strip.id || other.every((q) => Math.hypot(q[0] - p[0], q[1] - p[1]) > 14));
+        if (clear && p[2] < nearest + 0.6 * report.radius) return { id: strip.id, x: p[0], y: p[1], length: strip.length };
+      }
+    }
+    return null;
+  }, wanted.toString());
+}
+
+async function saved(page, extension) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click(`#save button:has-text("${extension.toUpperCase()}")`)]);
+  assert.equal(download.suggestedFilename().split(".").pop(), extension);
+  return readFileSync(await download.path(), "utf8");
+}
+
+const polylines = (dxf) => dxf.split("\n").filter((line) => line === "POLYLINE").length;
+
+async function bracket(browser) {
+  const page = await open(browser, "bracket.html");
+  await check(`opens from disk (${page.milliseconds} ms)`, async () => {
+    assert.equal(await page.locator("#scene").count(), 1);
+    assert.ok(!(await page.locator("#picture").isVisible()));
+  });
+  await check("saves the DXF and the CSV that the program writes, byte for byte", async () => {
+    assert.equal(await saved(page, "dxf"), written("bracket.dxf"));
+    assert.equal(await saved(page, "csv"), written("bracket.csv"));
+  });
+  await check("draws the lines where they are", async () => {
+    await page.keyboard.press("p"); // The lines alone: none is hidden.
+    await settled(page);
+    const { hits, total } = await along(page, "crease");
+    assert.ok(total > 100 && hits > 0.98 * total, `${hits} of ${total}`);
+    await page.uncheck("#layer-creases");
+    await settled(page);
+    assert.ok((await along(page, "crease")).hits < 0.02 * total);
+    await page.check("#layer-creases");
+    await page.keyboard.press("p");
+  });
+  await check("shows a line under the mouse, and keeps it on a click", async () => {
+    await settled(page);
+    const line = await free(page);
+    const box = await page.locator("#scene").boundingBox();
+    await page.mouse.move(box.x + line.x, box.y + line.y);
+    await page.waitForFunction((id) => window.lineament.state.hovered === id, line.id);
+    assert.ok(await page.locator("#label").isVisible());
+    await page.mouse.click(box.x + line.x, box.y + line.y);
+    assert.equal(await page.evaluate(() => window.lineament.state.picked), line.id);
+    const shown = await page.locator("#selection").innerText();
+    assert.ok(shown.includes(String(line.length).slice(0, 4)), shown);
+    await page.keyboard.press("Escape");
+  });
+  await check("filters by length, and saves what is left", async () => {
+    await page.locator("#length").fill("0.9");
+    const kept = await page.evaluate(() => window.lineament.report.strips.filter((s) => s.length >= window.lineament.state.length).length);
+    assert.ok(kept > 0 && kept < (await page.evaluate(() => window.lineament.report.strips.length)));
+    assert.match(await page.locator("#kept").innerText(), new RegExp(`^${kept} of`));
+    assert.equal(polylines(await saved(page, "dxf")), kept);
+    assert.equal((await saved(page, "svg")).split("<path").length - 1, kept);
+    await page.locator("#length").fill("0");
+  });
+  await check("sorts the table, and picks in it", async () => {
+    const table = page.getByRole("table");
+    await table.getByRole("button", { name: "Sort by Diameter" }).click();
+    const values = (await table.locator("tbody tr td:nth-child(2)").allInnerTexts()).map(parseFloat);
+    assert.ok(values.length > 1 && values.every((v, i) => i === 0 || v >= values[i - 1]), String(values));
+    assert.equal(await table.locator("th[aria-sort=ascending]").count(), 1);
+    await table.locator("tbody th button").first().click();
+    assert.equal(await table.locator("tr[aria-selected=true]").count(), 1);
+    assert.match(await page.locator("#selection").innerText(), /diameter/);
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("f");
+  });
+  await check("measures between two lines", async () => {
+    await settled(page);
+    const box = await page.locator("#scene").boundingBox();
+    const first = await free(page);
+    const second = await free(page, `(s) => s.id !== ${first.id}`);
+    await page.keyboard.press("m");
+    for (const line of [first, second]) await page.mouse.click(box.x + line.x, box.y + line.y);
+    const shown = await page.locator("#selection").innerText();
+    const least = await page.evaluate(([a, b]) => {
+      const points = (id) => window.lineament.report.strips[id].points;
+      let best = Infinity;
+      for (let i = 0; i < points(a).length; i += 3) for (let j = 0; j < points(b).length; j += 3) {
+        best = Math.min(best, Math.hypot(...[0, 1, 2].map((k) => points(a)[i + k] - points(b)[j + k])));
+      }
+      return best;
+    }, [first.id, second.id]);
+    const found = parseFloat(shown.match(/least distance\s+([\d.]+)/)[1]);
+    assert.ok(found <= least + 1e-3 && found >= 0.9 * least - 1e-3, `${found} against ${least} between the points`);
+    await page.keyboard.press("Escape");
+  });
+  await check("turns, zooms, and changes its views by keys", async () => {
+    for (const key of ["1", "2", "3", "4", "5", "6", "7", "o", "ArrowLeft", "ArrowUp", "+", "-", "Shift+ArrowRight", "t", "f", "o", "t"]) {
+      const before = await page.evaluate(() => window.lineament.stage.frames);
+      await page.keyboard.press(key);
+      await page.waitForFunction((before) => window.lineament.stage.frames > before, before);
+    }
+  });
+  await check("has no error in the console, and asks for nothing", () => assert.deepEqual(page.faults, []));
+  await page.context().close();
+}
+
+async function stack(browser) {
+  const page = await open(browser, "stack.html");
+  await check(`a stack of sections opens (${page.milliseconds} ms)`, () => assert.ok(page.milliseconds < 60_000));
+  await check("names holes", async () => {
+    assert.ok((await page.locator("tbody th button:has-text('hole')").count()) > 0);
+  });
+  await check("drags a plane through the cloud, with its section", async () => {
+    await page.locator("summary:has-text('Section plane')").click();
+    await page.selectOption("#axis", "3");
+    await page.locator("#at").fill("500");
+    const first = await page.locator("#panel canvas + p").innerText();
+    assert.match(first, /slice \d+ at .*contour/);
+    await page.locator("#at").fill("200");
+    assert.notEqual(await page.locator("#panel canvas + p").innerText(), first);
+  });
+  await check("lists the features of the slices", async () => {
+    await page.getByRole("button", { name: /Show the table: Features/ }).click();
+    assert.ok((await page.locator("tbody tr").count()) > 0);
+  });
+  await check("has no error in the console, and asks for nothing", () => assert.deepEqual(page.faults, []));
+  await page.context().close();
+}
+
+async function without(args, options, name) {
+  const browser = await chromium.launch({ executablePath, args: [...FLAGS, ...args] });
+  await check(name, async () => {
+    const page = await open(browser, "bracket.html", options);
+    assert.ok(await page.locator("#picture img").isVisible());
+    assert.ok(await page.locator("#picture img").evaluate((img) => img.naturalWidth > 0));
+  });
+  await browser.close();
+}
+
+const browser = await chromium.launch({ executablePath, args: [...FLAGS, ...DRAWING] });
+await bracket(browser);
+await stack(browser);
+await browser.close();
+await without(DRAWING, { javaScriptEnabled: false }, "shows a picture where scripts are off");
+await without(["--disable-3d-apis"], {}, "shows a picture where there is no WebGL");
+process.exit(failures ? 1 : 0);
