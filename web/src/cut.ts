@@ -1,6 +1,6 @@
 // The window of the section: the contours of the slice at the plane, or else the points beside it, in the plane.
 
-import type { Stage } from "./stage";
+import { type Cut, across, normal, offset } from "./plane";
 import { type State, figure } from "./state";
 import { isDark } from "./theme";
 
@@ -13,7 +13,7 @@ export class CutWindow {
   readonly canvas = document.createElement("canvas");
   readonly note = document.createElement("p");
 
-  constructor(private state: State, private stage: Stage) {
+  constructor(private state: State) {
     this.canvas.width = this.canvas.height = 2 * SIDE;
     this.canvas.setAttribute("role", "img");
   }
@@ -27,20 +27,12 @@ export class CutWindow {
     if (!draw) return;
     draw.fillStyle = isDark() ? "#14171c" : "#ffffff";
     draw.fillRect(0, 0, 2 * SIDE, 2 * SIDE);
-    const [u, v] = this.axes(cut.axis);
+    const [u, v] = across(this.state.report, cut.axis);
     const place = this.window(u, v);
-    const shown = this.points(cut.axis, cut.at, place, draw);
+    const shown = this.points(cut, place, draw);
     const slice = cut.axis === 3 ? this.contours(place, draw) : "";
     this.note.textContent = slice || `${shown} points within 1.5 spacings of the plane`;
     this.canvas.setAttribute("aria-label", `Section at ${figure(cut.at)}: ${this.note.textContent}`);
-  }
-
-  /** Two directions in the plane. */
-  private axes(axis: number): [number[], number[]] {
-    const own = this.state.report.sections?.axes;
-    if (axis === 3 && own) return [own[0], own[1]];
-    const unit = (i: number) => [0, 1, 2].map((k) => (k === i % 3 ? 1 : 0));
-    return axis === 1 ? [unit(0), unit(2)] : [unit(axis + 1), unit(axis + 2)];
   }
 
   /** From the world to the window. */
@@ -59,18 +51,18 @@ export class CutWindow {
   }
 
   private points(
-    axis: number, at: number, place: (p: ArrayLike<number>, at: number) => [number, number], draw: CanvasRenderingContext2D,
+    cut: Cut, place: (p: ArrayLike<number>, at: number) => [number, number], draw: CanvasRenderingContext2D,
   ): number {
     const { points, centre } = this.state.report;
-    const n = this.stage.normal(axis);
-    const offset = at - n.reduce((sum, x, k) => sum + x * centre[k], 0);
+    const n = normal(this.state.report, cut.axis);
+    const height = offset(this.state.report, cut);
     const near = 1.5 * (points.spacing || 0);
     draw.fillStyle = isDark() ? "#8d99a8" : "#7d8894";
     let shown = 0;
     const world = [0, 0, 0];
     for (let i = 0; i < 3 * points.count && shown < MOST; i += 3) {
       const p = points.positions;
-      if (Math.abs(n[0] * p[i] + n[1] * p[i + 1] + n[2] * p[i + 2] - offset) > near) continue;
+      if (Math.abs(n[0] * p[i] + n[1] * p[i + 1] + n[2] * p[i + 2] - height) > near) continue;
       if (points.classes && points.classes[i / 3] === 4 && !this.state.layers.clutter) continue;
       for (let k = 0; k < 3; k++) world[k] = p[i + k] + centre[k];
       const [x, y] = place(world, 0);

@@ -5,6 +5,7 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import type { Contour, Strip, Vec } from "./data";
+import { outline } from "./plane";
 import type { State } from "./state";
 import { theme } from "./theme";
 
@@ -72,6 +73,7 @@ export class Lines {
   private borders = new Batch(2.6, true, 2);
   private slices = new Batch(1.6, true, 2);
   private marked = new Batch(5.5, true, 4);
+  private frame = new Batch(2, true, 2);
   private dots: THREE.Points;
 
   constructor(private state: State) {
@@ -81,7 +83,7 @@ export class Lines {
     this.dots = new THREE.Points(new THREE.BufferGeometry(), round);
     this.dots.renderOrder = 6;
     this.dots.frustumCulled = false;
-    const batches = [this.creases, this.borders, this.slices, this.marked];
+    const batches = [this.creases, this.borders, this.slices, this.marked, this.frame];
     this.object.add(...batches.map((batch) => batch.object), this.dots);
     this.refresh();
   }
@@ -93,6 +95,8 @@ export class Lines {
     this.creases.fill(of("crease"), theme().crease, layers.hidden);
     this.borders.fill(of("border"), theme().border, layers.hidden);
     this.slices.fill(segments(this.contours(), report.centre), theme().slice, false);
+    const { cut } = this.state;
+    this.frame.fill(cut ? segments([{ points: outline(report, cut), closed: true }], report.centre) : new Float32Array(0), 0x8a63d2, true);
     this.nodes(kept);
     this.mark();
   }

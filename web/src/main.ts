@@ -28,7 +28,7 @@ function start(): void {
   panel = new Panel(state, stage, views.element);
   const tables = new Tables(state, (id) => show(state, stage, id));
   main.append(panel.element, tables.element);
-  new Mouse(state, stage, new Picker(state, stage), overlay, () => tables.mark(true));
+  new Mouse(state, stage, new Picker(state, stage), overlay, () => tables.mark(true), (share) => panel?.moveCut(share));
   state.listen(() => stage.refresh());
   state.listen(() => tables.refresh());
   state.onMark(() => {

@@ -4,6 +4,7 @@ import { CutWindow } from "./cut";
 import { button, el, save } from "./dom";
 import * as files from "./export";
 import { measure, round } from "./measure";
+import { normal, reach } from "./plane";
 import { faces, holeOr } from "./rows";
 import type { Stage } from "./stage";
 import { type Colour, type Layer, type State, figure, kindOf, name, uncertain } from "./state";
@@ -14,10 +15,10 @@ export class Panel {
   private count = el("p", { id: "kept", role: "status" });
   private window: CutWindow;
   private cutControls = el("div", {});
-  private at = el("input", { type: "range", min: "0", max: "1000", value: "500", "aria-label": "Place of the plane", id: "at" });
+  private at = el("input", { type: "range", min: "0", max: "1000", step: "any", value: "500", "aria-label": "Place of the plane", id: "at" });
 
   constructor(private state: State, private stage: Stage, views: HTMLElement) {
-    this.window = new CutWindow(state, stage);
+    this.window = new CutWindow(state);
     const sections: [string, HTMLElement, boolean][] = [
       ["View", views, true], ["Layers", this.layers(), true], ["Filter lines", this.filters(), true],
       ["Selection", this.selection, true], ["Section plane", this.cut(), false], ["Save the lines left", this.saving(), true],
@@ -120,7 +121,7 @@ export class Panel {
     const set = () => {
       const axis = select.value === "" ? null : Number(select.value);
       this.cutControls.hidden = axis === null;
-      const [low, high] = this.range(axis ?? 0);
+      const [low, high] = reach(this.state.report, normal(this.state.report, axis ?? 0));
       const place = low + (Number(this.at.value) / 1000) * (high - low);
       this.state.cut = axis === null ? null : { axis, at: place, flip: flip.checked, slab: slab.checked };
       this.state.plane = axis === 3 ? this.nearest(place) : null;
@@ -140,15 +141,6 @@ export class Panel {
     const value = Number(this.at.value) + 1000 * share;
     this.at.value = String(Math.min(1000, Math.max(0, value)));
     this.at.dispatchEvent(new Event("input"));
-  }
-
-  /** From where to where a plane across this axis may lie. */
-  range(axis: number): [number, number] {
-    const { low, high } = this.state.report;
-    const n = this.stage.normal(axis);
-    const least = n.reduce((sum, x, k) => sum + Math.min(x * low[k], x * high[k]), 0);
-    const most = n.reduce((sum, x, k) => sum + Math.max(x * low[k], x * high[k]), 0);
-    return [least, most];
   }
 
   private nearest(place: number): number | null {

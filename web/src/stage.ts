@@ -5,6 +5,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Cloud } from "./cloud";
 import type { Vec } from "./data";
 import { Lines } from "./lines";
+import { normal, offset } from "./plane";
 import type { State } from "./state";
 import { theme } from "./theme";
 
@@ -12,7 +13,12 @@ import { theme } from "./theme";
 const ANGLE = 35;
 /** Milliseconds of a frame above which fewer points are drawn while the view moves, and below which more are. */
 const SLOW = 50;
+const LEAST = 0.02;
 const FAST = 22;
+/** Room around everything, as a factor. */
+const MARGIN = 1.06;
+/** Milliseconds of a whole frame up to which all points are drawn where the view does not move. */
+const PATIENCE = 120;
 /** Milliseconds of rest after which all points are drawn again. */
 const REST = 160;
 
@@ -31,7 +37,10 @@ export class Stage {
   views = 0;
   frames = 0;
   private pending = false;
+  private moving = false;
   private share = 1;
+  /** Milliseconds that a frame with all points took last. */
+  private whole = 0;
   private resting = 0;
 
   constructor(readonly state: State, readonly canvas: HTMLCanvasElement) {
@@ -58,7 +67,8 @@ export class Stage {
   }
 
   /** Asks for a frame. */
-  draw(): void {
+  draw(moving = false): void {
+    this.moving ||= moving;
     if (this.pending) return;
     this.pending = true;
     requestAnimationFrame(() => this.frame());
@@ -71,18 +81,20 @@ export class Stage {
   /** Looks at everything along a direction. */
   look(direction: Vec): void {
     const toEye = new THREE.Vector3(...direction).normalize().negate();
-    this.controls.target.set(0, 0, 0);
-    this.camera.position.copy(toEye.multiplyScalar(this.distance()));
-    this.orthographic.zoom = 1;
-    this.fitted();
+    this.camera.position.copy(this.controls.target).addScaledVector(toEye, this.radius);
+    this.fit();
   }
 
   /** Brings everything into sight from where it is looked at. */
   fit(): void {
-    const toEye = this.camera.position.clone().sub(this.controls.target).setLength(this.distance());
+    const toEye = this.camera.position.clone().sub(this.controls.target).normalize();
     this.controls.target.set(0, 0, 0);
     this.camera.position.copy(toEye);
-    this.orthographic.zoom = 1;
+    this.camera.lookAt(0, 0, 0);
+    this.camera.updateMatrixWorld();
+    const [away, half] = this.room();
+    this.orthographic.zoom = this.orthographic.top / half;
+    this.camera.position.copy(toEye.multiplyScalar(this.isOrthographic ? 3 * this.radius : away));
     this.fitted();
   }
 
@@ -162,16 +174,9 @@ export class Stage {
   plane(): THREE.Plane | null {
     const { cut, report } = this.state;
     if (!cut) return null;
-    const normal = new THREE.Vector3(...this.normal(cut.axis)).multiplyScalar(cut.flip ? -1 : 1);
     const sign = cut.flip ? -1 : 1;
-    const offset = this.normal(cut.axis).reduce((sum, n, k) => sum + n * report.centre[k], 0);
-    return new THREE.Plane(normal.negate(), sign * (cut.at - offset));
-  }
-
-  /** Direction of a cutting axis: x, y, z, or 3 for that of the slices. */
-  normal(axis: number): Vec {
-    if (axis === 3 && this.state.report.sections) return this.state.report.sections.axes[2];
-    return [0, 1, 2].map((k) => (k === axis ? 1 : 0)) as Vec;
+    const n = new THREE.Vector3(...normal(report, cut.axis)).multiplyScalar(-sign);
+    return new THREE.Plane(n, sign * offset(report, cut));
   }
 
   private control(): void {
@@ -180,7 +185,7 @@ export class Stage {
     this.controls.rotateSpeed = 0.9;
     this.controls.addEventListener("change", () => {
       this.views++;
-      this.draw();
+      this.draw(true);
     });
   }
 
@@ -203,8 +208,20 @@ export class Stage {
     return Math.min(1, w / Math.max(1, h));
   }
 
-  private distance(): number {
-    return (this.radius * 1.05) / (Math.sin((ANGLE * Math.PI) / 360) * this.narrow());
+  /** Distance from which the perspective camera sees the whole box, and half the height of the box in the orthographic one. */
+  private room(): [number, number] {
+    const { low, high, centre } = this.state.report;
+    const { clientWidth: w, clientHeight: h } = this.canvas;
+    const tangent = Math.tan((ANGLE * Math.PI) / 360);
+    let [away, half] = [0, 0];
+    for (let i = 0; i < 8; i++) {
+      const corner = [0, 1, 2].map((k) => ((i >> k) & 1 ? high[k] : low[k]) - centre[k]) as Vec;
+      const v = new THREE.Vector3(...corner).transformDirection(this.camera.matrixWorldInverse).multiplyScalar(Math.hypot(...corner));
+      const tall = MARGIN * Math.max(Math.abs(v.y), (Math.abs(v.x) * h) / Math.max(1, w));
+      away = Math.max(away, tall / tangent + v.z);
+      half = Math.max(half, tall);
+    }
+    return [away || 1, half || 1];
   }
 
   private fitted(): void {
@@ -242,28 +259,25 @@ export class Stage {
       : height / (2 * Math.tan((ANGLE * Math.PI) / 360));
     this.lines.ratio(this.renderer.getPixelRatio());
     this.scene.background = new THREE.Color(theme().background);
-    const start = performance.now();
-    this.renderer.render(this.scene, this.camera);
-    this.renderer.getContext().readPixels(0, 0, 1, 1, 6408, 5121, new Uint8Array(4));
-    this.adapt(performance.now() - start);
-    this.frames++;
+    const all = this.share === 1 || (!this.moving && this.whole < PATIENCE);
+    this.moving = false;
+    this.paint(all ? 1 : this.share);
     for (const act of this.after) act();
   }
 
-  /** Fewer points while the view moves, where frames are slow; all of them after a rest. */
-  private adapt(milliseconds: number): void {
+  /** Draws with a share of the points; the next frames of a moving view have as many as there is time for. */
+  private paint(share: number): void {
     clearTimeout(this.resting);
-    if (milliseconds > SLOW && this.share > 0.02) this.share = Math.max(0.02, (this.share * SLOW) / milliseconds);
-    else if (milliseconds < FAST && this.share < 1) this.share = Math.min(1, this.share * 1.25);
-    this.cloud.detail(this.share);
-    if (this.share === 1) return;
-    this.resting = window.setTimeout(() => {
-      const share = this.share;
-      this.cloud.detail(1);
-      this.renderer.render(this.scene, this.camera);
-      this.cloud.detail(share);
-      this.frames++;
-    }, REST);
+    const start = performance.now();
+    this.cloud.detail(share);
+    this.renderer.render(this.scene, this.camera);
+    this.renderer.getContext().readPixels(0, 0, 1, 1, 6408, 5121, new Uint8Array(4));
+    const milliseconds = performance.now() - start;
+    this.frames++;
+    if (share === 1) this.whole = milliseconds;
+    if (milliseconds > SLOW) this.share = Math.max(LEAST, (share * SLOW) / milliseconds);
+    else if (milliseconds < FAST) this.share = Math.min(1, this.share * 1.25);
+    if (share < 1) this.resting = window.setTimeout(() => this.paint(1), REST);
   }
 }
 

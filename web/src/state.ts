@@ -1,6 +1,7 @@
 // What is shown: layers, filters, picks. Everything that changes it calls `changed`, and views listen.
 
 import type { Report, Strip } from "./data";
+import type { Cut } from "./plane";
 
 export type Layer = "points" | "clutter" | "creases" | "borders" | "hidden" | "nodes" | "slices";
 export type Colour = "plain" | "class" | "patch" | "height";
@@ -25,7 +26,7 @@ export class State {
   picked: number | null = null;
   measuring = false;
   picks: Pick[] = [];
-  cut: { axis: number; at: number; flip: boolean; slab: boolean } | null = null;
+  cut: Cut | null = null;
   /** The section that is shown alone. */
   plane: number | null = null;
   run: number | null = null;

@@ -32,15 +32,14 @@ pub(super) struct Chosen {
 /// Chooses the points that have room in so many bytes.
 pub(super) fn choose(report: &Report, room: usize) -> Result<Chosen, Error> {
     let Some(cloud) = report.cloud else { return Ok(Chosen::default()) };
-    let bare = Cloud::new(cloud.positions.clone());
-    let source = Frame::localise(&bare)?.source;
+    let source = Frame::localise(cloud)?.source;
     let most = MOST.min(room * 3 / 4 / row_bytes(report, WIDTHS[1]));
     if source.len() <= most {
-        let (surfels, spacing) = surfels(&bare)?;
+        let (surfels, spacing) = surfels(cloud)?;
         return Ok(Chosen { surfels, source, spacing });
     }
     let kept: Vec<u32> = even(source.len()).take(most).map(|i| source[i]).collect();
-    let part = bare.select(&kept);
+    let part = Cloud::new(kept.iter().map(|&i| cloud.positions[i as usize]).collect());
     // `surfels` brings the points into the order of `localise`.
     let source = Frame::localise(&part)?.source.into_iter().map(|i| kept[i as usize]).collect();
     let (surfels, spacing) = surfels(&part)?;
