@@ -12,7 +12,5 @@ pub fn browser() -> Option<PathBuf> {
         return Some(named.into());
     }
     let paths = std::env::var_os("PATH")?;
-    std::env::split_paths(&paths)
-        .flat_map(|p| BROWSERS.map(|name| p.join(name)))
-        .find(|path| path.is_file())
+    std::env::split_paths(&paths).flat_map(|p| BROWSERS.map(|name| p.join(name))).find(|path| path.is_file())
 }

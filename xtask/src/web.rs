@@ -31,7 +31,15 @@ pub fn test() -> Result<(), String> {
     let bracket = ["html", "dxf", "csv"].map(|e| format!("bracket.{e}"));
     let outputs = bracket.iter().flat_map(|name| ["-o", name.as_str()]);
     succeed(lineament(&folder).args(["extract", "--sample", "bracket"]).args(outputs))?;
-    succeed(lineament(&folder).args(["report", "--sample", "bracket", "--slices", "40", "-o", "stack.html"]))?;
+    succeed(lineament(&folder).args([
+        "report",
+        "--sample",
+        "bracket",
+        "--slices",
+        "40",
+        "-o",
+        "stack.html",
+    ]))?;
     succeed(Command::new("node").arg(root().join("web/test/run.mjs")).arg(&folder).arg(browser))
 }
 

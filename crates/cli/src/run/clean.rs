@@ -82,8 +82,12 @@ fn write(
         }
         PointFormat::Html => {
             let provenance = page::provenance(input);
-            let report =
-                Report { cloud: Some(&input.cloud), classes: labels, up: input.up(), ..Report::new(&provenance) };
+            let report = Report {
+                cloud: Some(&input.cloud),
+                classes: labels,
+                up: input.up(),
+                ..Report::new(&provenance)
+            };
             write_report(path, inputs, &report)
         }
         _ => write_points(path, inputs, &table),

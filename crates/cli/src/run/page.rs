@@ -3,9 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use lineament::{Class, Extraction};
-use lineament_io::{
-    Error, LasFrame, NetworkContext, NetworkFormat, Report, network_format, write_report,
-};
+use lineament_io::{Error, LasFrame, NetworkContext, NetworkFormat, Report, network_format, write_report};
 
 use crate::source::Input;
 

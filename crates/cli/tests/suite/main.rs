@@ -11,6 +11,7 @@ mod exit_codes;
 mod faults;
 mod map_coordinates;
 mod reading;
+mod report;
 mod same_bytes;
 mod section;
 mod streams;

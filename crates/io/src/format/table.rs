@@ -79,7 +79,10 @@ pub const FORMATS: &[FileFormat] = &[
         ..named("GeoPackage", &["gpkg"])
     },
     FileFormat {
-        network: Some((NetworkFormat::Html, "a report for browsers: points and lines to turn, filter and measure")),
+        network: Some((
+            NetworkFormat::Html,
+            "a report for browsers: points and lines to turn, filter and measure",
+        )),
         points: Some((PointFormat::Html, "a report for browsers: the points by class")),
         patches: Some((PatchFormat::Html, "a report for browsers: points by patch, lines, surfaces")),
         section: Some((SectionFormat::Html, "a report for browsers: points, slices and features")),

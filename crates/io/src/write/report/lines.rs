@@ -22,7 +22,9 @@ pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkCon
     })?;
     writeln!(out, "],\n\"step\": {step},")?;
     write!(out, "\"strips\": [")?;
-    lines(out, &network.strips, |out, id, s| strip(out, s, context.sides(id), thinned(&s.points, step).count()))?;
+    lines(out, &network.strips, |out, id, s| {
+        strip(out, s, context.sides(id), thinned(&s.points, step).count())
+    })?;
     write!(out, "],\n\"coordinates\": \"")?;
     let all = network.strips.iter().flat_map(|s| thinned(&s.points, step));
     let bytes: Vec<u8> = all.flatten().flat_map(|c| c.to_le_bytes()).collect();

@@ -64,7 +64,12 @@ fn even(count: usize) -> impl Iterator<Item = usize> {
 pub(super) fn write(out: &mut dyn Write, report: &Report, chosen: &Chosen) -> io::Result<()> {
     let order: Vec<usize> = even(chosen.surfels.len()).collect();
     let grid = Grid::of(chosen);
-    writeln!(out, "\"points\": {{\"count\": {}, \"of\": {},", order.len(), report.cloud.map_or(0, Cloud::len))?;
+    writeln!(
+        out,
+        "\"points\": {{\"count\": {}, \"of\": {},",
+        order.len(),
+        report.cloud.map_or(0, Cloud::len)
+    )?;
     write!(out, "\"spacing\": {}, \"corner\": {}, ", Number(chosen.spacing), Point(&grid.corner))?;
     writeln!(out, "\"step\": {}, \"bytes\": {},", Number(grid.step), grid.width)?;
     column(out, "positions", order.iter().flat_map(|&i| grid.bytes(chosen.surfels[i].position)))?;

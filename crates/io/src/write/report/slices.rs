@@ -1,7 +1,7 @@
 //! Sections of a report, and the features of their stack.
 
 use super::lines::{step, thinned};
-use crate::write::encode::json::{lines, list, Number, Point, Text};
+use crate::write::encode::json::{Number, Point, Text, lines, list};
 use base64::prelude::{BASE64_STANDARD, Engine};
 use lineament::section::{Contour, CurvePiece, CurveShape, Feature, Run, Section, Sections, Stack};
 use std::io::{self, Write};
@@ -61,7 +61,8 @@ fn piece(out: &mut dyn Write, piece: &CurvePiece) -> io::Result<()> {
 }
 
 fn run(out: &mut dyn Write, _: usize, run: &Run) -> io::Result<()> {
-    let Run { feature, hole, from, to, range_error: [from_error, to_error], residual, centre, contours } = run;
+    let Run { feature, hole, from, to, range_error: [from_error, to_error], residual, centre, contours } =
+        run;
     write!(out, "{{\"feature\": \"{}\", \"hole\": {hole}, ", feature.name())?;
     write!(out, "\"from\": {}, \"to\": {}, ", Number(*from), Number(*to))?;
     write!(out, "\"range_error\": [{}, {}], ", Number(*from_error), Number(*to_error))?;

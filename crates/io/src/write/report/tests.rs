@@ -64,7 +64,8 @@ fn lines_come_back_bit_for_bit_and_points_within_a_step() {
         .chunks_exact(8)
         .map(|b| f64::from_le_bytes(b.try_into().unwrap()))
         .collect();
-    let written: Vec<f64> = found.network.strips.iter().flat_map(|s| s.points.iter().flatten().copied()).collect();
+    let written: Vec<f64> =
+        found.network.strips.iter().flat_map(|s| s.points.iter().flatten().copied()).collect();
     assert_eq!(read, written);
     assert_eq!(data["strips"].as_array().unwrap().len(), found.network.strips.len());
     assert_eq!(data["nodes"].as_array().unwrap().len(), found.network.nodes.len());
@@ -115,13 +116,15 @@ fn nothing_is_fetched() {
 #[test]
 fn large_clouds_are_thinned_to_the_limit() {
     let side = 1200u32;
-    let row = |y: u32| (0..side).map(move |x| [f64::from(x), f64::from(y), 0.01 * f64::from((x * 7 + y * 13) % 11)]);
+    let row = |y: u32| {
+        (0..side).map(move |x| [f64::from(x), f64::from(y), 0.01 * f64::from((x * 7 + y * 13) % 11)])
+    };
     let cloud = Cloud::new((0..side).flat_map(row).collect());
     let classes = vec![0; cloud.len()];
-    let labels: Vec<u32> = (0..cloud.len() as u32).map(|i| if i % 2 == 0 { NO_PATCH } else { i % 70_000 }).collect();
+    let labels: Vec<u32> =
+        (0..cloud.len() as u32).map(|i| if i % 2 == 0 { NO_PATCH } else { i % 70_000 }).collect();
     let context = context();
-    let report =
-        Report { cloud: Some(&cloud), classes: &classes, labels: &labels, ..Report::new(&context) };
+    let report = Report { cloud: Some(&cloud), classes: &classes, labels: &labels, ..Report::new(&context) };
     let (page, data) = page(&report);
     assert!(page.len() < 15_000_000, "{} bytes", page.len());
     let count = data["points"]["count"].as_u64().unwrap();
@@ -157,7 +160,8 @@ fn sections_come_back_within_single_precision() {
     assert_eq!(found["runs"].as_array().unwrap().len(), stack.runs.len());
     let single = |b: &[u8]| f64::from(f32::from_le_bytes(b.try_into().unwrap()));
     let read: Vec<f64> = bytes(&found["coordinates"]).chunks_exact(4).map(single).collect();
-    let written: Vec<f64> = sections.contours().flat_map(|(_, c)| c.points.iter().flatten().copied()).collect();
+    let written: Vec<f64> =
+        sections.contours().flat_map(|(_, c)| c.points.iter().flatten().copied()).collect();
     assert!(!written.is_empty() && read.len() == written.len());
     for (i, (r, w)) in read.iter().zip(&written).enumerate() {
         assert!((r + number(&found["corner"][i % 3]) - w).abs() < 1e-6, "{i}");
