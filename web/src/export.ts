@@ -22,7 +22,7 @@ export function left(state: State): { strips: Strip[]; nodes: Node[] } {
 export function real(x: number): string {
   if (Object.is(x, -0)) return "-0.0";
   const size = Math.abs(x);
-  if (x !== 0 && (size < 1e-5 || size >= 1e16)) return x.toExponential().replace("+", "");
+  if (x !== 0 && (size < 1e-4 || size >= 1e16)) return x.toExponential().replace("+", "");
   const text = String(x);
   if (text.includes("e")) return x.toExponential().replace("+", "");
   return text.includes(".") ? text : `${text}.0`;

@@ -31,6 +31,7 @@ async function check(name, act) {
 async function open(browser, name, options = {}) {
   const context = await browser.newContext({ viewport: VIEW, acceptDownloads: true, offline: true, ...options });
   const page = await context.newPage();
+  page.setDefaultTimeout(10_000);
   page.faults = [];
   page.on("console", (message) => message.type() === "error" && page.faults.push(message.text()));
   page.on("pageerror", (error) => page.faults.push(String(error)));
@@ -89,8 +90,8 @@ function free(page, wanted = () => true) {
     });
     const nearest = Math.min(...flat.flat().map((p) => p[2]));
     for (const strip of report.strips.filter(fits)) {
-      for (const p of flat[strip.id].slice(1, -1).sort((a, b) => a[2] - b[2]).slice(0, 3)) {
-        const clear = flat.every((other, id) => id === strip.id || other.every((q) => Math.hypot(q[0] - p[0], q[1] - p[1]) > 14));
+      for (const p of flat[strip.id].slice(2, -2).sort((a, b) => a[2] - b[2])) {
+        const clear = flat.every((other, id) => id === strip.id || other.every((q) => Math.hypot(q[0] - p[0], q[1] - p[1]) > 10));
         if (clear && p[2] < nearest + 0.6 * report.radius) return { id: strip.id, x: p[0], y: p[1], length: strip.length };
       }
     }
@@ -151,7 +152,7 @@ async function bracket(browser) {
   });
   await check("sorts the table, and picks in it", async () => {
     const table = page.getByRole("table");
-    await table.getByRole("button", { name: "Sort by Diameter" }).click();
+    await table.getByRole("button", { name: "Diameter", exact: true }).click();
     const values = (await table.locator("tbody tr td:nth-child(2)").allInnerTexts()).map(parseFloat);
     assert.ok(values.length > 1 && values.every((v, i) => i === 0 || v >= values[i - 1]), String(values));
     assert.equal(await table.locator("th[aria-sort=ascending]").count(), 1);
@@ -208,7 +209,7 @@ async function stack(browser) {
     assert.notEqual(await page.locator("#panel canvas + p").innerText(), first);
   });
   await check("lists the features of the slices", async () => {
-    await page.getByRole("button", { name: /Show the table: Features/ }).click();
+    await page.getByRole("button", { name: /^Features of the slices/ }).click();
     assert.ok((await page.locator("tbody tr").count()) > 0);
   });
   await check("has no error in the console, and asks for nothing", () => assert.deepEqual(page.faults, []));
