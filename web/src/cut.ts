@@ -1,8 +1,12 @@
 // The window of the section: the contours of the slice at the plane, or else the points beside it, in the plane.
 
+import type { Contour } from "./data";
 import { type Cut, across, normal, offset } from "./plane";
 import { type State, figure } from "./state";
 import { isDark } from "./theme";
+
+/** From the world to the window. */
+type Place = (p: ArrayLike<number>, at: number) => [number, number];
 
 const SIDE = 300;
 const MARGIN = 12;
@@ -36,7 +40,7 @@ export class CutWindow {
   }
 
   /** From the world to the window. */
-  private window(u: number[], v: number[]): (p: ArrayLike<number>, at: number) => [number, number] {
+  private window(u: number[], v: number[]): Place {
     const { centre, low, high } = this.state.report;
     const half = [u, v].map((a) => a.reduce((sum, x, k) => sum + (Math.abs(x) * (high[k] - low[k])) / 2, 0));
     const scale = (SIDE - MARGIN) / (Math.max(...half) || 1);
@@ -51,7 +55,7 @@ export class CutWindow {
   }
 
   private points(
-    cut: Cut, place: (p: ArrayLike<number>, at: number) => [number, number], draw: CanvasRenderingContext2D,
+    cut: Cut, place: Place, draw: CanvasRenderingContext2D,
   ): number {
     const { points, centre } = this.state.report;
     const n = normal(this.state.report, cut.axis);
@@ -72,13 +76,28 @@ export class CutWindow {
     return shown;
   }
 
+  /** The inside of the closed contours. */
+  private fill(contours: Contour[], place: Place, draw: CanvasRenderingContext2D): void {
+    draw.fillStyle = isDark() ? "#2b5a4080" : "#cfe6d880";
+    draw.beginPath();
+    for (const { points } of contours) {
+      for (let i = 0; i < points.length; i += 3) {
+        if (i === 0) draw.moveTo(...place(points, i));
+        else draw.lineTo(...place(points, i));
+      }
+      draw.closePath();
+    }
+    draw.fill("evenodd");
+  }
+
   private contours(
-    place: (p: ArrayLike<number>, at: number) => [number, number], draw: CanvasRenderingContext2D,
+    place: Place, draw: CanvasRenderingContext2D,
   ): string {
     const { report, plane } = this.state;
     const section = plane === null ? undefined : report.sections?.planes[plane];
     if (!section) return "";
     draw.lineWidth = 2.5;
+    this.fill(section.contours.filter((c) => c.closed), place, draw);
     for (const contour of section.contours) {
       draw.strokeStyle = contour.depth % 2 ? "#c77700" : isDark() ? "#55d38a" : "#1a7f4b";
       draw.beginPath();

@@ -78,7 +78,8 @@ export class Lines {
 
   constructor(private state: State) {
     const round = new THREE.ShaderMaterial({
-      vertexShader: DOT_VERTEX, fragmentShader: DOT_FRAGMENT, vertexColors: true, uniforms: { size: { value: 7 } },
+      vertexShader: DOT_VERTEX, fragmentShader: DOT_FRAGMENT, vertexColors: true,
+      uniforms: { size: { value: 7 }, cut: { value: new THREE.Vector4() } },
     });
     this.dots = new THREE.Points(new THREE.BufferGeometry(), round);
     this.dots.renderOrder = 6;
@@ -111,7 +112,11 @@ export class Lines {
   }
 
   clip(planes: THREE.Plane[]): void {
-    for (const batch of [this.creases, this.borders, this.slices]) batch.clip(planes);
+    for (const batch of [this.creases, this.borders]) batch.clip(planes);
+    const [plane] = planes;
+    const { cut } = (this.dots.material as THREE.ShaderMaterial).uniforms;
+    if (plane) cut.value.set(-plane.normal.x, -plane.normal.y, -plane.normal.z, plane.constant);
+    else cut.value.set(0, 0, 0, 0);
   }
 
   /** Device pixels for one of the page. */
@@ -121,7 +126,7 @@ export class Lines {
 
   private contours(): Contour[] {
     const { report, layers, plane } = this.state;
-    if (!report.sections || !layers.slices) return [];
+    if (!report.sections || (!layers.slices && plane === null)) return [];
     const planes = plane === null ? report.sections.planes : report.sections.planes.slice(plane, plane + 1);
     return planes.flatMap((p) => p.contours);
   }
@@ -153,10 +158,12 @@ export class Lines {
 
 const DOT_VERTEX = `
 uniform float size;
+uniform vec4 cut;
 varying vec3 dotColour;
 void main() {
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   gl_Position.z -= 1e-4 * gl_Position.w;
+  if (dot(cut.xyz, position) > cut.w) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
   gl_PointSize = size;
   dotColour = color;
 }`;

@@ -1,7 +1,7 @@
 // Distances between two picks: points of the scan, or lines.
 
-import type { Strip, Vec } from "./data";
-import { type Pick, type State, figure, kindOf, title } from "./state";
+import type { Report, Strip, Vec } from "./data";
+import { type Pick, type State, figure, kindOf, place, title } from "./state";
 
 export interface Measure {
   from: Vec;
@@ -23,16 +23,16 @@ export function measure(state: State): Measure | null {
   const [from, to] = closest(parts(first, a), parts(second, b));
   const d = sub(to, from);
   const rows: [string, string][] = [
-    ["between", `${named(first, a)} and ${named(second, b)}`],
+    ["between", `${named(state.report, first, a)} and ${named(state.report, second, b)}`],
     [a || b ? "least distance" : "distance", figure(norm(d))],
-    ["in x, y, z", d.map(figure).join(", ")],
+    ["in x, y, z", place(state.report, d)],
   ];
   if (a && b) rows.push(...pair(a, b));
   return { from, to, rows };
 }
 
-function named(pick: Pick, strip: Strip | null): string {
-  return strip ? title(strip) : `point ${pick.at.map(figure).join(", ")}`;
+function named(report: Report, pick: Pick, strip: Strip | null): string {
+  return strip ? title(strip) : `point ${place(report, pick.at)}`;
 }
 
 /** Angle between two straight lines; distance of the centres and axes of two circles. */

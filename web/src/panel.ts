@@ -7,7 +7,7 @@ import { measure, round } from "./measure";
 import { normal, reach } from "./plane";
 import { faces, holeOr } from "./rows";
 import type { Stage } from "./stage";
-import { type Colour, type Layer, type State, figure, kindOf, name, uncertain } from "./state";
+import { type Colour, type Layer, type State, figure, kindOf, name, place, uncertain } from "./state";
 
 export class Panel {
   readonly element = el("aside", { id: "panel", "aria-label": "Controls" });
@@ -180,7 +180,7 @@ export class Panel {
     ];
     if (circle) rows.push(["radius", uncertain(circle.radius, circle.sigma)]);
     if (circle) rows.push(["diameter", uncertain(2 * circle.radius, circle.sigma && 2 * circle.sigma)]);
-    if (circle) rows.push(["centre", circle.center.map(figure).join(", ")]);
+    if (circle) rows.push(["centre", place(report, circle.center)]);
     if (strip.fold_deg !== null) rows.push(["fold", `${strip.fold_deg.toFixed(1)}°${bend(strip.convex)}`]);
     if (strip.left !== undefined) rows.push(["faces", faces(report, strip)]);
     rows.push(["confidence", strip.confidence.toFixed(2)], ["deviation", figure(strip.deviation)]);

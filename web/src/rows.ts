@@ -1,8 +1,8 @@
 // Rows of the tables: circles and arcs, all lines, runs of the slices, patches.
 
-import type { Report, Strip } from "./data";
+import type { Patch, Report, Strip } from "./data";
 import { round } from "./measure";
-import { type State, figure, kindOf, title, uncertain } from "./state";
+import { type State, figure, kindOf, place, title, uncertain } from "./state";
 
 export interface Row {
   id: number;
@@ -23,7 +23,8 @@ const sortable = (x: number | null | undefined) => (typeof x === "number" && Num
 export function tables(state: State): Table[] {
   const { report } = state;
   const kept = state.kept();
-  const rounds = kept.filter((strip) => round(strip));
+  const rank = (strip: Strip) => ["hole", "boss", "circle"].indexOf(holeOr(report, strip).split(" ")[0]) + 1 || 9;
+  const rounds = kept.filter((strip) => round(strip)).sort((a, b) => rank(a) - rank(b) || a.id - b.id);
   return [
     rounded(report, rounds), lines(report, kept),
     ...(report.sections ? [runs(report)] : []), ...(report.patches.length ? [patches(report)] : []),
@@ -39,7 +40,7 @@ function rounded(report: Report, strips: Strip[]): Table {
       cells: [
         [holeOr(report, strip), holeOr(report, strip)], [uncertain(2 * radius, doubled), radius],
         [uncertain(radius, sigma), radius], [figure(strip.length), strip.length],
-        [degrees(strip.fold_deg), sortable(strip.fold_deg)], [center.map(figure).join(", "), center[0]],
+        [degrees(strip.fold_deg), sortable(strip.fold_deg)], [place(report, center), center[0]],
         [strip.confidence.toFixed(2), strip.confidence],
       ],
     };
@@ -63,19 +64,29 @@ function lines(report: Report, strips: Strip[]): Table {
 /** Angle of an arc from which on it may bound a hole or a boss, degrees: an arc of less is more likely a rounded corner. */
 const MOST_OF_A_TURN = 200;
 
+/** Greatest difference of the radii of a rim and its wall, as a share. */
+const SAME_RADIUS = 0.1;
+
 /**
- * A circle by what it bounds, where the patches tell. The rim of a hole is a convex edge in an inner loop of its plane, the floor of a
- * blind one a concave edge around its plane; of a boss it is the other way round.
+ * A circle by what it bounds, where the patches tell. The rim of a hole is a convex edge in an inner loop of the face that it is in, the
+ * floor of a blind one a concave edge around its face; of a boss it is the other way round.
  */
 export function holeOr(report: Report, strip: Strip): string {
-  const patch = (id: number | null | undefined) => (typeof id === "number" ? report.patches[id] : undefined);
-  const type = (id: number | null | undefined) => patch(id)?.surface.type;
-  const walls = [strip.left, strip.right].filter((id) => type(id) === "cylinder" || type(id) === "cone");
-  const plane = patch([strip.left, strip.right].find((id) => type(id) === "plane"));
-  const loop = plane?.loops.find((l) => l.strips.includes(strip.id));
+  const circle = round(strip);
+  const sides = [strip.left, strip.right].map((id) => (typeof id === "number" ? report.patches[id] : undefined));
+  const walls = sides.filter((patch) => circle && patch && isWall(patch, circle.radius));
+  const face = sides.find((patch) => patch && !walls.includes(patch));
+  const loop = face?.loops.find((l) => l.strips.includes(strip.id));
   const whole = strip.closed || (strip.curves[0]?.sweep_deg ?? 0) > MOST_OF_A_TURN;
   if (walls.length !== 1 || !loop || !whole || typeof strip.convex !== "boolean") return title(strip);
+  // The outer loop of a face of which parts are missing may be any.
+  if (loop.outer && face?.surface.type !== "plane") return title(strip);
   return `${strip.convex !== loop.outer ? "hole" : "boss"} ${strip.id}`;
+}
+
+function isWall({ surface }: Patch, radius: number): boolean {
+  if (surface.free_form || (surface.type !== "cylinder" && surface.type !== "cone")) return false;
+  return surface.radius === undefined || Math.abs(surface.radius - radius) < SAME_RADIUS * radius;
 }
 
 export function faces(report: Report, strip: Strip): string {

@@ -33,7 +33,10 @@ export class State {
   private listeners: (() => void)[] = [];
   private markers: (() => void)[] = [];
 
-  constructor(readonly report: Report) {}
+  constructor(readonly report: Report) {
+    // A stack of slices would hide the lines; the section plane shows the one that it lies at.
+    this.layers.slices = report.strips.length === 0;
+  }
 
   listen(listener: () => void): void {
     this.listeners.push(listener);
@@ -96,4 +99,10 @@ export function uncertain(x: number | null | undefined, sigma: number | null | u
   if (!sigma || !Number.isFinite(sigma)) return figure(x);
   const digits = Math.max(0, Math.min(9, 1 - Math.floor(Math.log10(sigma))));
   return `${x.toFixed(digits)} ± ${sigma.toFixed(digits)}`;
+}
+
+/** A position: as many digits as the spacing says. */
+export function place(report: Report, p: number[]): string {
+  const digits = report.spacing ? Math.max(0, Math.min(9, 2 - Math.floor(Math.log10(report.spacing)))) : 4;
+  return p.map((x) => (Math.abs(x) < 0.5 * 10 ** -digits ? 0 : x).toFixed(digits)).join(", ");
 }

@@ -10,7 +10,7 @@ const SHOWN = 300;
 export class Tables {
   readonly element = el("section", { id: "tables", "aria-label": "Tables" });
   private name: string | null = null;
-  private sorted = { column: 0, descending: false };
+  private sorted = { column: -1, descending: false };
   private shown = SHOWN;
   private rows = new Map<number, HTMLTableRowElement>();
   private current: Table | null = null;
@@ -26,7 +26,7 @@ export class Tables {
     const tabs = all.map((t) => {
       const tab = button(`${t.name} (${t.rows.length})`, `Show the table: ${t.name}`, () => {
         this.name = t.name;
-        this.sorted = { column: 0, descending: false };
+        this.sorted = { column: -1, descending: false };
         this.shown = SHOWN;
         this.refresh();
       });
@@ -45,7 +45,8 @@ export class Tables {
   }
 
   private body(table: Table): HTMLElement {
-    const order = [...table.rows].sort((a, b) => compare(a, b, this.sorted.column));
+    const order = [...table.rows];
+    if (this.sorted.column >= 0) order.sort((a, b) => compare(a, b, this.sorted.column));
     if (this.sorted.descending) order.reverse();
     const caption = el("caption", {}, `${table.name}, lengths in the unit of the input`);
     const head = el("tr", {}, ...table.heads.map((text, i) => this.head(text, i)));
