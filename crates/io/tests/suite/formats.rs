@@ -118,7 +118,7 @@ fn outputs_are_found_by_extension_and_unknown_ones_are_refused_with_the_known() 
 #[test]
 fn formats_that_hold_the_same_share_a_line_of_help() {
     let help = format_help(|format| format.points);
-    assert_eq!(help.lines().count(), 3, "{help}");
+    assert_eq!(help.lines().count(), 4, "{help}");
     for extension in extensions(|f| f.points.is_some()) {
         assert!(help.contains(&format!(".{extension}")), "{help}");
     }
