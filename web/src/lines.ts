@@ -107,7 +107,7 @@ export class Lines {
     const { hovered, picked, report } = this.state;
     const marked: { points: Float64Array; closed: boolean }[] = [];
     for (const id of [hovered, picked]) if (id !== null && report.strips[id]) marked.push(report.strips[id]);
-    marked.push(...this.runContours());
+    marked.push(...this.runContours(), ...this.boundary());
     this.marked.fill(segments(marked, report.centre), theme().picked, true);
   }
 
@@ -129,6 +129,13 @@ export class Lines {
     if (!report.sections || (!layers.slices && plane === null)) return [];
     const planes = plane === null ? report.sections.planes : report.sections.planes.slice(plane, plane + 1);
     return planes.flatMap((p) => p.contours);
+  }
+
+  /** The lines around the patch that is picked. */
+  private boundary(): Strip[] {
+    const { report, patch } = this.state;
+    const loops = patch === null ? [] : (report.patches[patch]?.loops ?? []);
+    return loops.flatMap((loop) => loop.strips.map((id) => report.strips[id]));
   }
 
   private runContours(): Contour[] {

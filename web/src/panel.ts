@@ -13,6 +13,10 @@ export class Panel {
   readonly element = el("aside", { id: "panel", "aria-label": "Controls" });
   private selection = el("div", { id: "selection", role: "status", "aria-live": "polite" });
   private count = el("p", { id: "kept", role: "status" });
+  private back = button("", "Bring back the lines that were taken out one by one", () => {
+    this.state.out.clear();
+    this.state.changed();
+  });
   private window: CutWindow;
   private cutControls = el("div", {});
   private at = el("input", { type: "range", min: "0", max: "1000", step: "any", value: "500", "aria-label": "Place of the plane", id: "at" });
@@ -34,6 +38,8 @@ export class Panel {
   private refresh(): void {
     const all = this.state.report.strips.length;
     this.count.textContent = `${this.state.kept().length} of ${all} lines`;
+    this.back.hidden = this.state.out.size === 0;
+    this.back.textContent = `Bring back ${this.state.out.size} taken out`;
     this.window.refresh();
     this.select();
   }
@@ -99,7 +105,7 @@ export class Panel {
       return el("label", {}, box, type);
     });
     const only = el("fieldset", { class: "types" }, el("legend", {}, "Only these types"), ...boxes);
-    return el("div", {}, this.count, confidence, length, types.length > 1 ? only : null);
+    return el("div", {}, this.count, confidence, length, types.length > 1 ? only : null, this.back);
   }
 
   private slider(id: string, text: string, set: (share: number) => string): HTMLElement {
@@ -165,6 +171,7 @@ export class Panel {
     if (this.state.measuring) parts.push(el("p", {}, measured ? "Measured:" : `Measuring: pick ${this.state.picks.length ? "the second" : "the first"} point or line.`));
     if (measured) parts.push(list(measured.rows));
     else if (id !== null) parts.push(list(this.describe(id)));
+    if (this.state.picked !== null && !measured) parts.push(button("Take out", "Take this line out of view and files (x)", () => this.state.takeOut()));
     if (!parts.length) parts.push(el("p", { class: "hint" }, "Point at a line to read it, click to keep it."));
     this.selection.replaceChildren(...parts);
   }

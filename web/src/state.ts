@@ -30,6 +30,9 @@ export class State {
   /** The section that is shown alone. */
   plane: number | null = null;
   run: number | null = null;
+  patch: number | null = null;
+  /** Lines that were taken out one by one. */
+  out = new Set<number>();
   private listeners: (() => void)[] = [];
   private markers: (() => void)[] = [];
 
@@ -57,9 +60,18 @@ export class State {
 
   /** Whether a line stays after filtering. */
   keeps(strip: Strip): boolean {
+    if (this.out.has(strip.id)) return false;
     if (!this.layers[strip.kind === "crease" ? "creases" : "borders"]) return false;
     if (strip.confidence < this.confidence || strip.length < this.length) return false;
     return this.types.size === 0 || this.types.has(kindOf(strip));
+  }
+
+  /** Takes the line out that is picked. */
+  takeOut(): void {
+    if (this.picked === null) return;
+    this.out.add(this.picked);
+    this.picked = this.hovered = null;
+    this.changed();
   }
 
   kept(): Strip[] {

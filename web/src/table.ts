@@ -39,7 +39,8 @@ export class Tables {
 
   /** Shows which row is picked, and scrolls to it. */
   mark(scroll = false): void {
-    const picked = this.current?.pick === "run" ? this.state.run : this.state.picked;
+    const { run, patch, picked: strip } = this.state;
+    const picked = { run, patch, strip }[this.current?.pick ?? "strip"];
     for (const [id, row] of this.rows) row.setAttribute("aria-selected", String(id === picked));
     if (scroll && picked !== null) this.rows.get(picked)?.scrollIntoView({ block: "nearest" });
   }
@@ -87,6 +88,7 @@ export class Tables {
 
   private pick(table: Table, id: number): void {
     if (table.pick === "run") this.state.run = this.state.run === id ? null : id;
+    if (table.pick === "patch") this.state.patch = this.state.patch === id ? null : id;
     if (table.pick === "strip") {
       this.state.picked = this.state.picked === id ? null : id;
       if (this.state.picked !== null) this.go(id);

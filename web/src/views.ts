@@ -17,7 +17,7 @@ const STEP = Math.PI / 24;
 
 export const KEYS: [string, string][] = [
   ["drag, arrows", "turn"], ["right drag, shift + arrows", "move"], ["wheel, + and -", "zoom"], ["f", "fit"],
-  ["1 to 6, 7", "views"], ["o", "orthographic"], ["m", "measure"], ["p", "points on or off"],
+  ["1 to 6, 7", "views"], ["o", "orthographic"], ["m", "measure"], ["Delete, x", "take the picked line out"], ["p", "points on or off"],
   ["b", "borders on or off"], ["[ and ]", "move the section plane"], ["t", "light or dark"], ["Esc", "let go"],
 ];
 
@@ -82,6 +82,7 @@ export class Views {
     else if (key === "p" || key === "b") document.getElementById(key === "p" ? "layer-points" : "layer-borders")?.click();
     else if (key === "[" || key === "]") this.moveCut(key === "[" ? -0.01 : 0.01);
     else if (key === "+" || key === "-") stage.zoom(key === "+" ? 1.2 : 1 / 1.2);
+    else if (key === "Delete" || key === "x") state.takeOut();
     else if (key === "Escape") this.letGo();
     else if (key.startsWith("Arrow")) this.arrow(key, shift);
     else return false;
@@ -90,7 +91,7 @@ export class Views {
 
   private letGo(): void {
     if (this.state.measuring) this.measuring();
-    Object.assign(this.state, { picked: null, run: null, picks: [] });
+    Object.assign(this.state, { picked: null, run: null, patch: null, picks: [] });
     this.state.marked();
   }
 

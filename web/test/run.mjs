@@ -162,6 +162,17 @@ async function bracket(browser) {
     await page.keyboard.press("Escape");
     await page.keyboard.press("f");
   });
+  await check("takes a line out, and brings it back", async () => {
+    const all = await page.evaluate(() => window.lineament.report.strips.length);
+    await page.getByRole("table").locator("tbody th button").first().click();
+    await page.keyboard.press("x");
+    assert.match(await page.locator("#kept").innerText(), new RegExp(`^${all - 1} of ${all} `));
+    assert.equal(polylines(await saved(page, "dxf")), all - 1);
+    await page.getByRole("button", { name: "Bring back 1" }).click();
+    assert.match(await page.locator("#kept").innerText(), new RegExp(`^${all} of`));
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("f");
+  });
   await check("measures between two lines", async () => {
     await settled(page);
     const box = await page.locator("#scene").boundingBox();

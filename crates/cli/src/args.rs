@@ -33,9 +33,10 @@ use clap::{Parser, Subcommand};
 
 const HELP: &str = "\
 Examples:
-  lineament extract --sample bracket -o bracket.obj     lines of a generated scan, to try it out
+  lineament extract --sample bracket -o bracket.html    lines of a generated scan in a browser, to try it out
   lineament extract part.ply                            writes part.lines.json and part.lines.obj
   lineament extract part.ply -o part.dxf -o part.json   several formats, by extension
+  lineament report part.ply                             part.html: scan, lines and patches in a browser
   lineament render part.ply -o part.png                 a picture of scan and lines
   lineament params > tuning.toml                        every parameter, with its meaning
 
