@@ -32,6 +32,10 @@ const LAYERS: [string, number][] = [
   ["0", 7], ["CREASE", 1], ["BORDER", 5], ["JUNCTION", 3], ["CORNER", 2], ["END", 6], ["APEX", 4],
 ];
 
+function slice(plane: number): string {
+  return `SLICE_${String(plane).padStart(4, "0")}`;
+}
+
 export function dxf(state: State): string {
   const { strips, nodes } = left(state);
   const out: string[] = [];
@@ -39,7 +43,8 @@ export function dxf(state: State): string {
   const place = (first: number, p: ArrayLike<number>) => [0, 1, 2].forEach((k) => put(first + 10 * k, real(p[k])));
   const lines = strips.filter((strip) => strip.points.length > 3);
   put(0, "SECTION", 2, "HEADER", 9, "$ACADVER", 1, "AC1009");
-  const box = extent(strips, nodes);
+  const contours = state.contours();
+  const box = extent([...strips, ...contours.map(({ contour }) => contour)], nodes);
   if (box) {
     put(9, "$EXTMIN");
     place(10, box[0]);
@@ -48,21 +53,24 @@ export function dxf(state: State): string {
   }
   put(0, "ENDSEC", 0, "SECTION", 2, "TABLES", 0, "TABLE", 2, "LTYPE", 70, 1);
   put(0, "LTYPE", 2, "CONTINUOUS", 70, 0, 3, "Solid line", 72, 65, 73, 0, 40, "0.0", 0, "ENDTAB");
-  put(0, "TABLE", 2, "LAYER", 70, LAYERS.length);
-  for (const [name, colour] of LAYERS) put(0, "LAYER", 2, name, 70, 0, 62, colour, 6, "CONTINUOUS");
+  const slices = [...new Set(contours.map(({ plane }) => plane))].map((plane): [string, number] => [slice(plane), 3]);
+  const layers = [...LAYERS, ...slices];
+  put(0, "TABLE", 2, "LAYER", 70, layers.length);
+  for (const [name, colour] of layers) put(0, "LAYER", 2, name, 70, 0, 62, colour, 6, "CONTINUOUS");
   put(0, "ENDTAB", 0, "ENDSEC", 0, "SECTION", 2, "ENTITIES");
-  for (const strip of lines) {
-    const layer = strip.kind.toUpperCase();
+  const polyline = (layer: string, points: Float64Array, closed: boolean) => {
     put(0, "POLYLINE", 8, layer, 66, 1);
     place(10, [0, 0, 0]);
-    put(70, strip.closed ? 9 : 8);
-    for (let i = 0; i < strip.points.length; i += 3) {
+    put(70, closed ? 9 : 8);
+    for (let i = 0; i < points.length; i += 3) {
       put(0, "VERTEX", 8, layer);
-      place(10, strip.points.subarray(i, i + 3));
+      place(10, points.subarray(i, i + 3));
       put(70, 32);
     }
     put(0, "SEQEND", 8, layer);
-  }
+  };
+  for (const strip of lines) polyline(strip.kind.toUpperCase(), strip.points, strip.closed);
+  for (const { plane, contour } of contours) polyline(slice(plane), contour.points, contour.closed);
   for (const node of nodes) {
     put(0, "POINT", 8, node.kind.toUpperCase());
     place(10, node.position);
@@ -71,7 +79,7 @@ export function dxf(state: State): string {
   return out.join("\n") + "\n";
 }
 
-function extent(strips: Strip[], nodes: Node[]): [number[], number[]] | null {
+function extent(strips: { points: Float64Array }[], nodes: Node[]): [number[], number[]] | null {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
   const include = (p: ArrayLike<number>, at: number) => {
@@ -109,8 +117,13 @@ export function svg(state: State, stage: Stage): string {
     for (let i = 0; i < strip.points.length; i += 3) out.push(screen(stage, strip.points, i));
     return out;
   });
+  const cuts = state.contours().map(({ contour }) => {
+    const out: [number, number][] = [];
+    for (let i = 0; i < contour.points.length; i += 3) out.push(screen(stage, contour.points, i));
+    return { out, closed: contour.closed };
+  });
   const dots = nodes.map((node) => screen(stage, node.position, 0));
-  const all = [...flat.flat(), ...dots];
+  const all = [...flat.flat(), ...cuts.flatMap(({ out }) => out), ...dots];
   const limit = (k: 0 | 1, pick: (a: number, b: number) => number) => all.reduce((m, p) => pick(m, p[k]), all[0]?.[k] ?? 0);
   const [x0, x1, y0, y1] = [limit(0, Math.min), limit(0, Math.max), limit(1, Math.min), limit(1, Math.max)];
   const scale = SIDE / (Math.max(x1 - x0, y1 - y0) || 1);
@@ -121,6 +134,8 @@ export function svg(state: State, stage: Stage): string {
       [`<path id="strip-${strip.id}" d="M${flat[i].map(place).join(" L")}${strip.closed ? " Z" : ""}"/>`]);
     return `<g id="${kind}" fill="none" stroke="${colour}" stroke-width="0.35" stroke-linejoin="round" stroke-linecap="round">\n${paths.join("\n")}\n</g>`;
   };
+  const sections = cuts.map(({ out, closed }) => `<path d="M${out.map(place).join(" L")}${closed ? " Z" : ""}"/>`);
+  const slices = `<g id="slices" fill="none" stroke="#1a7f4b" stroke-width="0.25">\n${sections.join("\n")}\n</g>`;
   const circles = dots.map((p) => {
     const [x, y] = place(p).split(",");
     return `<circle cx="${x}" cy="${y}" r="0.6"/>`;
@@ -128,6 +143,7 @@ export function svg(state: State, stage: Stage): string {
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${w}mm" height="${h}mm" viewBox="0 0 ${w} ${h}">`,
     "<desc>Feature lines as seen in the report</desc>", group("crease", "#c81414"), group("border", "#1440c8"),
+    ...(sections.length ? [slices] : []),
     `<g id="nodes" fill="#202020">\n${circles.join("\n")}\n</g>`, "</svg>", "",
   ].join("\n");
 }

@@ -95,7 +95,7 @@ export class Lines {
     const of = (kind: string) => segments(kept.filter((strip) => strip.kind === kind), report.centre);
     this.creases.fill(of("crease"), theme().crease, layers.hidden);
     this.borders.fill(of("border"), theme().border, layers.hidden);
-    this.slices.fill(segments(this.contours(), report.centre), theme().slice, false);
+    this.slices.fill(segments(this.state.contours().map(({ contour }) => contour), report.centre), theme().slice, false);
     const { cut } = this.state;
     this.frame.fill(cut ? segments([{ points: outline(report, cut), closed: true }], report.centre) : new Float32Array(0), 0x8a63d2, true);
     this.nodes(kept);
@@ -122,13 +122,6 @@ export class Lines {
   /** Device pixels for one of the page. */
   ratio(ratio: number): void {
     (this.dots.material as THREE.ShaderMaterial).uniforms.size.value = 7 * ratio;
-  }
-
-  private contours(): Contour[] {
-    const { report, layers, plane } = this.state;
-    if (!report.sections || (!layers.slices && plane === null)) return [];
-    const planes = plane === null ? report.sections.planes : report.sections.planes.slice(plane, plane + 1);
-    return planes.flatMap((p) => p.contours);
   }
 
   /** The lines around the patch that is picked. */

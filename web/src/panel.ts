@@ -25,9 +25,11 @@ export class Panel {
     this.window = new CutWindow(state);
     const sections: [string, HTMLElement, boolean][] = [
       ["View", views, true], ["Layers", this.layers(), true], ["Filter lines", this.filters(), true],
-      ["Selection", this.selection, true], ["Section plane", this.cut(), false], ["Save the lines left", this.saving(), true],
+      ["Selection", this.selection, true], ["Section plane", this.cut(), false], ["Save what is left", this.saving(), true],
     ];
-    for (const [title, content, open] of sections) {
+    const { strips, sections: stack } = state.report;
+    const idle = new Set([...(strips.length ? [] : ["Filter lines"]), ...(strips.length || stack ? [] : ["Save what is left", "Selection"])]);
+    for (const [title, content, open] of sections.filter(([title]) => !idle.has(title))) {
       this.element.append(el("details", { open }, el("summary", {}, title), content));
     }
     state.listen(() => this.refresh());
@@ -83,7 +85,7 @@ export class Panel {
 
   private filters(): HTMLElement {
     const { strips } = this.state.report;
-    if (!strips.length) return el("p", {}, "No lines.");
+    if (!strips.length) return el("p", {});
     const longest = Math.max(...strips.map((strip) => strip.length), 1e-300);
     const shortest = Math.max(Math.min(...strips.map((strip) => strip.length)), longest * 1e-4);
     const confidence = this.slider("confidence", "Least confidence", (share) => {
@@ -158,7 +160,7 @@ export class Panel {
   private saving(): HTMLElement {
     const stem = this.state.report.input.name.replace(/\.[^.]*$/, "") || "lines";
     const offer = (extension: string, type: string, text: () => string) =>
-      button(extension.toUpperCase(), `Save the lines left as ${extension.toUpperCase()}`, () => save(`${stem}.${extension}`, type, text()));
+      button(extension.toUpperCase(), `Save the lines and slices on show as ${extension.toUpperCase()}`, () => save(`${stem}.${extension}`, type, text()));
     return el("div", { class: "row", id: "save" },
       offer("dxf", "image/vnd.dxf", () => files.dxf(this.state)), offer("csv", "text/csv", () => files.csv(this.state)),
       offer("svg", "image/svg+xml", () => files.svg(this.state, this.stage)));

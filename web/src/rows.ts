@@ -26,7 +26,7 @@ export function tables(state: State): Table[] {
   const rank = (strip: Strip) => ["hole", "boss", "circle"].indexOf(holeOr(report, strip).split(" ")[0]) + 1 || 9;
   const rounds = kept.filter((strip) => round(strip)).sort((a, b) => rank(a) - rank(b) || a.id - b.id);
   return [
-    rounded(report, rounds), lines(report, kept),
+    ...(report.strips.length ? [rounded(report, rounds), lines(report, kept)] : []),
     ...(report.sections ? [runs(report)] : []), ...(report.patches.length ? [patches(report)] : []),
   ];
 }

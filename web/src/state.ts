@@ -1,6 +1,6 @@
 // What is shown: layers, filters, picks. Everything that changes it calls `changed`, and views listen.
 
-import type { Report, Strip } from "./data";
+import type { Contour, Report, Strip } from "./data";
 import type { Cut } from "./plane";
 
 export type Layer = "points" | "clutter" | "creases" | "borders" | "hidden" | "nodes" | "slices";
@@ -72,6 +72,14 @@ export class State {
     this.out.add(this.picked);
     this.picked = this.hovered = null;
     this.changed();
+  }
+
+  /** The contours on show: of all slices, or of the one at the plane. */
+  contours(): { plane: number; contour: Contour }[] {
+    const planes = this.report.sections?.planes ?? [];
+    if (!this.layers.slices && this.plane === null) return [];
+    const chosen = planes.map((_, i) => i).filter((i) => this.plane === null || i === this.plane);
+    return chosen.flatMap((plane) => planes[plane].contours.map((contour) => ({ plane, contour })));
   }
 
   kept(): Strip[] {

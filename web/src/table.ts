@@ -21,6 +21,8 @@ export class Tables {
 
   refresh(): void {
     const all = tables(this.state);
+    this.element.hidden = all.length === 0;
+    if (!all.length) return;
     const table = all.find((t) => t.name === this.name) ?? all.find((t) => t.rows.length > 0) ?? all[0];
     this.current = table;
     const tabs = all.map((t) => {
