@@ -24,11 +24,11 @@ export class Panel {
   constructor(private state: State, private stage: Stage, views: HTMLElement) {
     this.window = new CutWindow(state);
     const sections: [string, HTMLElement, boolean][] = [
-      ["View", views, true], ["Layers", this.layers(), true], ["Filter lines", this.filters(), true],
-      ["Selection", this.selection, true], ["Section plane", this.cut(), false], ["Save what is left", this.saving(), true],
+      ["View", views, true], ["Selection", this.selection, true], ["Layers", this.layers(), true],
+      ["Filter lines", this.filters(), true], ["Section plane", this.cut(), false], ["Save what is left", this.saving(), true],
     ];
     const { strips, sections: stack } = state.report;
-    const idle = new Set([...(strips.length ? [] : ["Filter lines"]), ...(strips.length || stack ? [] : ["Save what is left", "Selection"])]);
+    const idle = new Set([...(strips.length ? [] : ["Filter lines", "Selection"]), ...(strips.length || stack ? [] : ["Save what is left"])]);
     for (const [title, content, open] of sections.filter(([title]) => !idle.has(title))) {
       this.element.append(el("details", { open }, el("summary", {}, title), content));
     }
