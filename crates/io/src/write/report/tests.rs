@@ -115,7 +115,7 @@ fn nothing_is_fetched() {
 
 #[test]
 fn large_clouds_are_thinned_to_the_limit() {
-    let side = 1200u32;
+    let side = 900u32;
     let row = |y: u32| {
         (0..side).map(move |x| [f64::from(x), f64::from(y), 0.01 * f64::from((x * 7 + y * 13) % 11)])
     };
