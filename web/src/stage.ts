@@ -14,6 +14,8 @@ const ANGLE = 35;
 /** Milliseconds of a frame above which fewer points are drawn while the view moves, and below which more are. */
 const SLOW = 50;
 const LEAST = 0.02;
+/** Points of the first frame: it comes early without graphics hardware too. */
+const FIRST = 50_000;
 const FAST = 22;
 /** Room around everything, as a factor. */
 const MARGIN = 1.06;
@@ -39,8 +41,8 @@ export class Stage {
   private pending = false;
   private moving = false;
   private share = 1;
-  /** Milliseconds that a frame with all points took last. */
-  private whole = 0;
+  /** Milliseconds that a frame with all points took last; none has been drawn yet. */
+  private whole = Infinity;
   private resting = 0;
 
   constructor(readonly state: State, readonly canvas: HTMLCanvasElement) {
@@ -53,6 +55,7 @@ export class Stage {
     this.scene.add(this.cloud.object, this.lines.object);
     const up = new THREE.Vector3(...state.report.up);
     for (const camera of [this.perspective, this.orthographic]) camera.up.copy(up);
+    this.share = Math.min(1, FIRST / Math.max(1, state.report.points.count));
     this.control();
     this.resize();
     this.look(oblique(state.report.up));
