@@ -2,6 +2,7 @@
 
 mod browser;
 mod man;
+mod python;
 mod rivals;
 mod test;
 mod web;
@@ -12,17 +13,22 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 Usage: cargo xtask TASK
 
-  test [ARGS...]  run all tests; ARGS go to `cargo test`
-  rivals          compare with other programs; installs them in `out` by pip and npm, and a browser by apt if none is there
-  man             write the manual pages to out/man
-  web             bundle the viewer of reports from the folder web; needs Node.js with npm
-  web --test      open reports in a browser, if one is there";
+  test [ARGS...]    run all tests; ARGS go to `cargo test`
+  python [PROFILE]  install the Python package in out/python and run its tests; PROFILE of cargo, `test` unless named
+  wheel             build the wheel of the Python package into out/wheels
+  rivals            compare with other programs; installs them in `out` by pip and npm, and a browser by apt if none is there
+  man               write the manual pages to out/man
+  web               bundle the viewer of reports from the folder web; needs Node.js with npm
+  web --test        open reports in a browser, if one is there";
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let result = match args.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
         ["test", rest @ ..] => test::run(rest),
         ["rivals"] => rivals::run(),
+        ["python"] => python::test(None),
+        ["python", profile] => python::test(Some(profile)),
+        ["wheel"] => python::wheel(),
         ["man"] => man::run(),
         ["web"] => web::bundle(),
         ["web", "--test"] => web::test(),

@@ -66,6 +66,13 @@ fn selected<T: Copy>(values: &[T], indices: &[u32]) -> Vec<T> {
     indices.iter().filter_map(|&i| values.get(i as usize).copied()).collect()
 }
 
+impl AsRef<[[f64; 3]]> for Cloud {
+    /// `(N, 3)` the positions.
+    fn as_ref(&self) -> &[[f64; 3]] {
+        &self.positions
+    }
+}
+
 impl From<Vec<[f64; 3]>> for Cloud {
     fn from(positions: Vec<[f64; 3]>) -> Self {
         Self::new(positions)

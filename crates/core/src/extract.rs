@@ -1,7 +1,6 @@
 //! The pipeline: from a cloud to its feature network.
 
 use crate::classify::classes;
-use crate::cloud::Cloud;
 use crate::error::Error;
 use crate::frame::Frame;
 use crate::measure::{Class, Measure};
@@ -16,12 +15,12 @@ use crate::recover::{recover, refit, to_world};
 use crate::report::{Clock, Progress, Report, Stage};
 use crate::resolution::Resolution;
 
-/// Extracts the feature network of a cloud.
+/// Extracts the feature network of a cloud, or of `(N, 3)` positions in the world frame that are held elsewhere.
 ///
 /// # Errors
 /// [`Error::Parameter`] for a value out of range; [`Error::TooFewPoints`], [`Error::Collinear`], [`Error::Extent`] or
 /// [`Error::TooManyPoints`] for a cloud without a surface, or one beyond the limits.
-pub fn extract(world: &Cloud, params: &Params) -> Result<Extraction, Error> {
+pub fn extract(world: &(impl AsRef<[[f64; 3]]> + ?Sized), params: &Params) -> Result<Extraction, Error> {
     extract_observed(world, params, &|_| ())
 }
 
@@ -30,11 +29,11 @@ pub fn extract(world: &Cloud, params: &Params) -> Result<Extraction, Error> {
 /// # Errors
 /// As [`extract`].
 pub fn extract_observed(
-    world: &Cloud,
+    world: &(impl AsRef<[[f64; 3]]> + ?Sized),
     params: &Params,
     observe: &(dyn Fn(Progress) + Sync),
 ) -> Result<Extraction, Error> {
-    pipeline(world, params, observe, &|cloud| Ok(method::detect(cloud, params)))
+    pipeline(world.as_ref(), params, observe, &|cloud| Ok(method::detect(cloud, params)))
 }
 
 /// As [`extract`], with a detector of one's own and the linker of the method `penalty`. `detect` gets the positions (distinct
@@ -43,12 +42,12 @@ pub fn extract_observed(
 /// # Errors
 /// As [`extract`], and [`Error::Measure`] for a measure whose rows do not match the points or whose values are out of range.
 pub fn extract_with(
-    world: &Cloud,
+    world: &(impl AsRef<[[f64; 3]]> + ?Sized),
     params: &Params,
     detect: impl Fn(&[[f64; 3]], &Neighbors, Resolution) -> Measure,
 ) -> Result<Extraction, Error> {
     let params = Params { method: Method::Penalty, ..params.clone() };
-    pipeline(world, &params, &|_| (), &|cloud| {
+    pipeline(world.as_ref(), &params, &|_| (), &|cloud| {
         let measure = detect(&cloud.positions, &cloud.graph, cloud.resolution);
         measure.check(cloud.positions.len(), method::wants_patches(&params))?;
         Ok(measure)
@@ -56,7 +55,7 @@ pub fn extract_with(
 }
 
 fn pipeline(
-    world: &Cloud,
+    world: &[[f64; 3]],
     params: &Params,
     observe: &(dyn Fn(Progress) + Sync),
     detect: &dyn Fn(&Prepared) -> Result<Measure, Error>,

@@ -87,7 +87,11 @@ impl Frame {
     /// [`Error::TooManyPoints`] above `u32::MAX - 1` points; [`Error::Extent`] where coordinates lie more than
     /// 1e150 apart, so that squared distances could overflow.
     pub fn localise(world: &Cloud) -> Result<Localised, Error> {
-        let points = &world.positions;
+        Self::of_points(&world.positions)
+    }
+
+    /// [`localise`](Self::localise) of `(N, 3)` positions that are part of no [`Cloud`].
+    pub(crate) fn of_points(points: &[[f64; 3]]) -> Result<Localised, Error> {
         let limit = u32::MAX as usize - 1;
         if points.len() > limit {
             return Err(Error::TooManyPoints { read: points.len(), limit });

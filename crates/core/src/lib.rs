@@ -103,7 +103,7 @@ pub mod section;
 pub mod shapes;
 pub mod surface;
 
-pub use clean::{Cleaned, clean};
+pub use clean::{Cleaned, clean, clean_observed};
 pub use cloud::{Attribute, Cloud, Column};
 pub use detect::segments::{Segmentation, Segmented};
 pub use error::Error;

@@ -1,6 +1,5 @@
 //! Prepares a cloud for any method: local frame, neighbour graph, spacing and noise, points on surfaces.
 
-use crate::cloud::Cloud;
 use crate::error::Error;
 use crate::frame::{Frame, Localised};
 use crate::math::vec3::{cross, norm, sub};
@@ -42,9 +41,9 @@ pub(crate) struct Prepared {
 ///
 /// # Errors
 /// [`Error::TooFewPoints`], [`Error::Collinear`], [`Error::Extent`] or [`Error::TooManyPoints`].
-pub(crate) fn prepare(world: &Cloud, params: &Params, clock: &mut Clock) -> Result<Prepared, Error> {
+pub(crate) fn prepare(world: &[[f64; 3]], params: &Params, clock: &mut Clock) -> Result<Prepared, Error> {
     let (mut canonical, local) =
-        clock.run(Stage::Localise, || Frame::localise(world).map(|local| (local.canonical(), local)))?;
+        clock.run(Stage::Localise, || Frame::of_points(world).map(|local| (local.canonical(), local)))?;
     let merged = local.merged();
     refuse_degenerate(world.len(), &local.positions)?;
     let Localised { frame, mut positions, mut source, dropped, .. } = local.with_spacing()?;

@@ -15,7 +15,6 @@ mod slicing;
 mod stack;
 mod surface;
 
-use crate::cloud::Cloud;
 use crate::error::Error;
 use crate::frame::{Frame, Localised};
 use crate::neighbors::Index;
@@ -31,13 +30,14 @@ pub use stack::{Feature, Mirror, Repeat, Run, Stack, stack};
 use slicing::slicer::Slicer;
 use surface::tiles::Tiles;
 
-/// Slices a cloud: one [`Section`] for each plane, in the order the planes were given or run along the axis.
+/// Slices a cloud, or `(N, 3)` positions held elsewhere: one [`Section`] for each plane, in the order the planes were given or
+/// run along the axis.
 ///
 /// # Errors
 /// [`Error::Parameter`] for a value outside its range; those of [`Frame::localise`].
-pub fn section(cloud: &Cloud, params: &SectionParams) -> Result<Sections, Error> {
+pub fn section(cloud: &(impl AsRef<[[f64; 3]]> + ?Sized), params: &SectionParams) -> Result<Sections, Error> {
     params.check()?;
-    let (local, clutter) = on_surfaces(cloud, params)?;
+    let (local, clutter) = on_surfaces(cloud.as_ref(), params)?;
     let (sections, _) = sections(&local, &Index::build(&local.positions), params, &|_| ())?;
     Ok(Sections { clutter, ..sections })
 }
@@ -48,12 +48,12 @@ pub fn section(cloud: &Cloud, params: &SectionParams) -> Result<Sections, Error>
 /// # Errors
 /// Those of [`section`].
 pub fn section_observed(
-    cloud: &Cloud,
+    cloud: &(impl AsRef<[[f64; 3]]> + ?Sized),
     params: &SectionParams,
     observe: &(dyn Fn(f64) + Sync),
 ) -> Result<(Sections, Stack), Error> {
     params.check()?;
-    let (local, clutter) = on_surfaces(cloud, params)?;
+    let (local, clutter) = on_surfaces(cloud.as_ref(), params)?;
     let index = Index::build(&local.positions);
     let (sections, tiles) = sections(&local, &index, params, observe)?;
     let stack =
@@ -62,8 +62,8 @@ pub fn section_observed(
 }
 
 /// The points of a cloud that lie on surfaces, localised, and the number of those that do not.
-fn on_surfaces(cloud: &Cloud, params: &SectionParams) -> Result<(Localised, usize), Error> {
-    let mut local = Frame::localise(cloud)?.with_spacing()?;
+fn on_surfaces(points: &[[f64; 3]], params: &SectionParams) -> Result<(Localised, usize), Error> {
+    let mut local = Frame::of_points(points)?.with_spacing()?;
     let clutter = match params.clutter {
         Clutter::Keep => Vec::new(),
         Clutter::Auto | Clutter::LeaveOut => clutter(&local.positions),

@@ -3,6 +3,7 @@
 mod encode;
 mod network;
 mod patches;
+mod picture;
 mod points;
 mod report;
 mod section;
@@ -10,7 +11,8 @@ mod stages;
 
 pub use network::{NetworkContext, Parameter, write_network, write_network_to};
 pub use patches::write_patches;
-pub use points::{PointTable, write_points, write_points_to};
+pub use picture::{write_picture, write_picture_to};
+pub use points::{PointTable, label_clutter, write_cleaned, write_points, write_points_to};
 pub use report::{Report, write_report, write_report_to};
 pub use section::{SectionContext, write_sections, write_sections_to, write_slice_picture};
 pub use stages::write_stages;

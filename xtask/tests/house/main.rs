@@ -15,8 +15,13 @@ use layers::{Order, orders, unlisted, upwards};
 use modules::Crate;
 
 /// The crates of the workspace that have an order of their own, with their folders.
-const CRATES: [(&str, &str); 4] =
-    [("core", "crates/core"), ("io", "crates/io"), ("cli", "crates/cli"), ("xtask", "xtask")];
+const CRATES: [(&str, &str); 5] = [
+    ("core", "crates/core"),
+    ("io", "crates/io"),
+    ("cli", "crates/cli"),
+    ("py", "crates/py"),
+    ("xtask", "xtask"),
+];
 
 fn root() -> PathBuf {
     let own = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -3,8 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use lineament::{Attribute, Class, Cleaned, Cloud, Column, clean};
-use lineament_io::{PointFormat, PointTable, ReadOptions, Report, point_format, write_points, write_report};
+use lineament::{Cleaned, clean};
+use lineament_io::{
+    PointFormat, ReadOptions, Report, label_clutter, point_format, write_cleaned, write_report,
+};
 
 use super::page;
 use crate::args;
@@ -17,9 +19,6 @@ use crate::{outputs, summary};
 
 /// Suffixes of the files that a folder gets.
 const SUFFIXES: [&str; 1] = ["clean.ply"];
-/// The attribute of LAS points with the classes of ASPRS, and the class of noise there.
-const CLASSIFICATION: &str = "classification";
-const NOISE: u8 = 7;
 
 /// Reads, tells surface from clutter, and writes the points on surfaces, or all with a label.
 pub fn run(args: &args::Clean) -> Result<(), Failure> {
@@ -38,12 +37,12 @@ fn one(work: &Work, args: &args::Clean, origin: &Origin, outputs: &[PathBuf]) ->
     let mut input = work.load(origin, &ReadOptions::default())?;
     let found = clean(&input.cloud, &work.params).map_err(|e| Failure::from(e).at(origin.shown()))?;
     let inputs = work.inputs_with(&input);
-    let labels = if args.label { label(&mut input.cloud, &found.clutter) } else { Vec::new() };
+    let labels = if args.label { label_clutter(&mut input.cloud, &found.clutter) } else { Vec::new() };
     if !args.label {
         input.cloud = input.cloud.select(&found.surface);
     }
     for path in outputs {
-        outputs::write(path, || write(path, &inputs, &input, &labels, &found.clutter))?;
+        outputs::write(path, || write(path, &inputs, &input, &labels))?;
     }
     let mut lines = vec![summary::points(&input, &found.report), summary::resolution(&found.report)];
     lines.push(counts(&found, args.label));
@@ -57,55 +56,15 @@ fn one(work: &Work, args: &args::Clean, origin: &Origin, outputs: &[PathBuf]) ->
     Ok(Done { lines, row: summary::row(found.report.read, None, seconds) })
 }
 
-/// Adds a column of classes to all points, and returns it.
-fn label(cloud: &mut Cloud, clutter: &[u32]) -> Vec<u8> {
-    let mut classes = vec![Class::Smooth as u8; cloud.len()];
-    clutter.iter().for_each(|&i| classes[i as usize] = Class::Clutter as u8);
-    cloud.attributes.insert(0, Attribute { name: "class".into(), values: Column::U8(classes.clone()) });
-    classes
-}
-
-/// Writes one output. The classes are a column of their own where the format holds nothing else, and an attribute elsewhere.
-fn write(
-    path: &Path,
-    inputs: &[PathBuf],
-    input: &Input,
-    labels: &[u8],
-    clutter: &[u32],
-) -> Result<(), lineament_io::Error> {
-    let table = PointTable { cloud: &input.cloud, classes: &[], scores: &[], las: input.las.as_ref() };
-    match point_format(path)? {
-        PointFormat::Npy => write_points(path, inputs, &PointTable { classes: labels, ..table }),
-        PointFormat::Las | PointFormat::Laz if !labels.is_empty() => {
-            let cloud = with_noise(&input.cloud, clutter);
-            write_points(path, inputs, &PointTable { cloud: &cloud, ..table })
-        }
-        PointFormat::Html => {
-            let provenance = page::provenance(input);
-            let report = Report {
-                cloud: Some(&input.cloud),
-                classes: labels,
-                up: input.up(),
-                ..Report::new(&provenance)
-            };
-            write_report(path, inputs, &report)
-        }
-        _ => write_points(path, inputs, &table),
+/// Writes one output.
+fn write(path: &Path, inputs: &[PathBuf], input: &Input, labels: &[u8]) -> Result<(), lineament_io::Error> {
+    if point_format(path)? != PointFormat::Html {
+        return write_cleaned(path, inputs, &input.cloud, labels, input.las.as_ref());
     }
-}
-
-/// The points with clutter classified as noise. A classification that is not of bytes is none of LAS, and stays as it is.
-fn with_noise(cloud: &Cloud, clutter: &[u32]) -> Cloud {
-    let mut cloud = cloud.clone();
-    if !cloud.attributes.iter().any(|a| a.name == CLASSIFICATION) {
-        let values = Column::U8(vec![0; cloud.len()]);
-        cloud.attributes.push(Attribute { name: CLASSIFICATION.into(), values });
-    }
-    let known = cloud.attributes.iter_mut().find(|a| a.name == CLASSIFICATION);
-    if let Some(Attribute { values: Column::U8(classes), .. }) = known {
-        clutter.iter().for_each(|&i| classes[i as usize] = NOISE);
-    }
-    cloud
+    let provenance = page::provenance(input);
+    let report =
+        Report { cloud: Some(&input.cloud), classes: labels, up: input.up(), ..Report::new(&provenance) };
+    write_report(path, inputs, &report)
 }
 
 fn counts(found: &Cleaned, label: bool) -> String {

@@ -1,11 +1,10 @@
 //! `lineament render`.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use lineament::Network;
-use lineament::apply::render::{Picture, Scene, Settings, View, render, surfels};
+use lineament::apply::render::{Scene, Settings, View, render, surfels};
 use lineament_io as io;
 
 use crate::args::Render;
@@ -53,7 +52,9 @@ fn one(
     // All else of the settings was checked before.
     let drawn = progress::named("draw", work.args.running.quiet, || render(&scene, settings));
     let picture = drawn.map_err(|e| Failure { advice: None, ..e.into() }.at(origin.shown()))?;
-    outputs.iter().try_for_each(|path| write(path, &inputs, &picture))?;
+    for path in outputs {
+        outputs::write(path, || io::write_picture(path, &inputs, &picture))?;
+    }
     said.push(summary::written(outputs));
     let seconds = start.elapsed().as_secs_f64();
     Ok(Done { lines: said, row: summary::row(input.cloud.len(), network.as_ref(), seconds) })
@@ -93,26 +94,4 @@ fn png_only(path: &Path) -> Result<(), Failure> {
     }
     let message = format!("{}: pictures are written as PNG only: end the name in `.png`", path.display());
     Err(Failure::new(Code::Usage, message))
-}
-
-fn write(path: &Path, inputs: &[PathBuf], picture: &Picture) -> Result<(), Failure> {
-    let failed = |e: png::EncodingError| Failure::new(Code::Output, format!("{}: {e}", path.display()));
-    if path.as_os_str() == "-" {
-        return encode(&mut std::io::stdout().lock(), picture).map_err(failed);
-    }
-    outputs::write(path, || {
-        let mut output = io::Output::create(path, inputs).map_err(Failure::from)?;
-        encode(&mut output, picture).map_err(failed)?;
-        output.finish().map_err(Failure::from)
-    })
-}
-
-fn encode(out: &mut dyn Write, picture: &Picture) -> Result<(), png::EncodingError> {
-    let mut encoder = png::Encoder::new(&mut *out, picture.width as u32, picture.height as u32);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_compression(png::Compression::Balanced);
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(&picture.rgb)?;
-    writer.finish()?;
-    Ok(out.flush()?)
 }

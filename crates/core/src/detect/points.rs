@@ -3,12 +3,11 @@
 use super::baselines::{Detector, marks};
 use super::projection::marks::Marks;
 use super::projection::warning;
-use crate::cloud::Cloud;
 use crate::error::Error;
 use crate::measure::Class;
 use crate::params::Params;
 use crate::prepare::prepare;
-use crate::report::{Clock, Report};
+use crate::report::{Clock, Progress, Report, Stage};
 
 /// The points of a cloud, scored and marked by detectors.
 #[derive(Clone, Debug)]
@@ -23,18 +22,33 @@ pub struct Marked {
     pub marks: Vec<(Detector, Marks)>,
 }
 
-/// Scores the points of a cloud by each of `detectors`.
+/// Scores the points of a cloud, or `(N, 3)` positions held elsewhere, by each of `detectors`.
 ///
 /// # Errors
 /// As [`extract`](crate::extract()).
-pub fn mark(world: &Cloud, params: &Params, detectors: &[Detector]) -> Result<Marked, Error> {
+pub fn mark(
+    world: &(impl AsRef<[[f64; 3]]> + ?Sized),
+    params: &Params,
+    detectors: &[Detector],
+) -> Result<Marked, Error> {
+    mark_observed(world, params, detectors, &|_| ())
+}
+
+/// As [`mark`], telling `observe` of progress.
+///
+/// # Errors
+/// As [`mark`].
+pub fn mark_observed(
+    world: &(impl AsRef<[[f64; 3]]> + ?Sized),
+    params: &Params,
+    detectors: &[Detector],
+    observe: &(dyn Fn(Progress) + Sync),
+) -> Result<Marked, Error> {
     params.check()?;
-    let cloud = prepare(world, params, &mut Clock::new(&|_| ()))?;
-    let found = detectors.iter().map(|&d| {
-        let scored = marks(&cloud.positions, cloud.resolution, &params.projection, d);
-        (d, scored)
-    });
-    let marks: Vec<(Detector, Marks)> = found.collect();
+    let mut clock = Clock::new(observe);
+    let cloud = prepare(world.as_ref(), params, &mut clock)?;
+    let scored = |&d: &Detector| (d, marks(&cloud.positions, cloud.resolution, &params.projection, d));
+    let marks: Vec<(Detector, Marks)> = clock.run(Stage::Detect, || detectors.iter().map(scored).collect());
     let warned = detectors.contains(&Detector::Projection).then(|| warning(cloud.resolution)).flatten();
     let mut report = cloud.report();
     report.settings = marks.iter().map(|(d, m)| setting(*d, m)).collect();

@@ -182,7 +182,7 @@ fn threads_order_and_origin_change_nothing() {
     let rounded: Vec<[f64; 3]> =
         cloud.positions.iter().map(|p| p.map(|x| (x * 65536.0).round() / 65536.0)).collect();
     let moved: Vec<[f64; 3]> = rounded.iter().map(|p| p.map(|x| x + 1024.0)).collect();
-    let (near, far) = (section(&rounded.into(), &params(0.0)), section(&moved.into(), &params(1024.0)));
+    let (near, far) = (section(&rounded, &params(0.0)), section(&moved, &params(1024.0)));
     for ((_, a), (_, b)) in near.unwrap().contours().zip(far.unwrap().contours()) {
         assert_eq!(a.points.len(), b.points.len());
         let back = b.points.iter().map(|p| p.map(|x| x - 1024.0));

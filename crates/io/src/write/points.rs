@@ -1,6 +1,7 @@
 //! Classified points: one file for each format.
 
 pub(super) mod check;
+mod clean;
 mod las;
 mod npy;
 mod npz;
@@ -11,6 +12,7 @@ mod rows;
 mod table;
 mod text;
 
+pub use clean::{label_clutter, write_cleaned};
 pub use table::PointTable;
 
 use crate::error::Error;

@@ -3,9 +3,8 @@
 use rayon::prelude::*;
 
 use super::camera::Camera;
-use crate::cloud::Cloud;
 use crate::error::Error;
-use crate::frame::Frame;
+use crate::frame::{Frame, Localised};
 use crate::math::eigen3::eigen3;
 use crate::math::tensor::scatter;
 use crate::math::vec3::{add, add_scaled, distance, dot, norm, scale, sub};
@@ -37,13 +36,16 @@ const EDGE_LEAN: [f64; 2] = [0.08, 0.2];
 /// Greatest radius of a disc, in median radii: larger discs are those of outliers.
 const GREATEST_RADIUS: f64 = 4.0;
 
-/// The discs of a cloud's finite, distinct points, and their mean spacing (the mean distance to the six nearest).
-/// Both in the world frame and its unit.
+/// The discs of the finite, distinct points of a cloud, or of `(N, 3)` positions held elsewhere, and their mean spacing (the mean
+/// distance to the six nearest). Both in the world frame and its unit.
 ///
 /// # Errors
 /// Those of [`Frame::localise`].
-pub fn surfels(world: &Cloud) -> Result<(Vec<Surfel>, f64), Error> {
-    let local = Frame::localise(world)?.with_spacing()?;
+pub fn surfels(world: &(impl AsRef<[[f64; 3]]> + ?Sized)) -> Result<(Vec<Surfel>, f64), Error> {
+    Ok(all(&Frame::of_points(world.as_ref())?.with_spacing()?))
+}
+
+fn all(local: &Localised) -> (Vec<Surfel>, f64) {
     let points = &local.positions;
     let k = NEIGHBORS.min(points.len().saturating_sub(1));
     let blocks = nearest_blocks(points, k, |first, lists| {
@@ -67,7 +69,7 @@ pub fn surfels(world: &Cloud) -> Result<(Vec<Surfel>, f64), Error> {
         radius: s.radius.min(limit) * local.frame.scale,
         ..*s
     };
-    Ok((discs.par_iter().map(to_world).collect(), spacing * local.frame.scale))
+    (discs.par_iter().map(to_world).collect(), spacing * local.frame.scale)
 }
 
 /// The disc of point `i`, in the plane fitted to it and its neighbours. At a border or an edge, where neighbours lie on one side
@@ -151,6 +153,7 @@ impl Projected {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cloud::Cloud;
 
     fn grid() -> Cloud {
         let row = |y: i32| (0..20).map(move |x| [1e6 + f64::from(x) * 0.5, f64::from(y) * 0.5, 7.0]);

@@ -1,0 +1,133 @@
+//! Curves: B-splines, and the typed curves of a strip.
+
+use lineament::curve::pieces::{Piece, Shape, Sigma};
+use lineament::curve::{BSpline, Round};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::prelude::*;
+
+use crate::arrays::{rows, table, triple};
+use crate::fault::Fault;
+
+/// A B-spline as a dictionary.
+#[derive(IntoPyObject)]
+pub struct CurveOut<'py> {
+    degree: usize,
+    knots: Bound<'py, PyArray1<f64>>,
+    controls: Bound<'py, PyArray2<f64>>,
+    periodic: bool,
+}
+
+/// The curve for Python; `None` without control points.
+pub fn curve<'py>(py: Python<'py>, curve: &BSpline) -> PyResult<Option<CurveOut<'py>>> {
+    if curve.controls.is_empty() {
+        return Ok(None);
+    }
+    Ok(Some(CurveOut {
+        degree: curve.degree,
+        knots: curve.knots.clone().into_pyarray(py),
+        controls: table(py, curve.controls.clone())?,
+        periodic: curve.periodic,
+    }))
+}
+
+/// A B-spline as Python's object holds it.
+#[derive(FromPyObject)]
+pub struct CurveIn<'py> {
+    degree: usize,
+    knots: PyReadonlyArray1<'py, f64>,
+    controls: PyReadonlyArray2<'py, f64>,
+    periodic: bool,
+}
+
+impl CurveIn<'_> {
+    /// The curve.
+    ///
+    /// # Errors
+    /// Control points that are no `(C, 3)` array in C order.
+    pub fn curve(&self) -> Result<BSpline, Fault> {
+        Ok(BSpline {
+            degree: self.degree,
+            knots: self.knots.as_array().to_vec(),
+            controls: rows(&self.controls)?.to_vec(),
+            periodic: self.periodic,
+        })
+    }
+}
+
+/// A typed curve, kept for outputs: its numbers come back to the bit.
+#[pyclass(frozen, module = "lineament._lineament")]
+pub struct Typed(Piece);
+
+/// A typed curve as a dictionary.
+#[derive(IntoPyObject)]
+pub struct TypedOut<'py> {
+    typed: Py<Typed>,
+    kind: &'static str,
+    start: Bound<'py, PyArray1<f64>>,
+    end: Bound<'py, PyArray1<f64>>,
+    first: usize,
+    last: usize,
+    deviation: f64,
+    center: Option<Bound<'py, PyArray1<f64>>>,
+    normal: Option<Bound<'py, PyArray1<f64>>>,
+    radius: Option<f64>,
+    sweep_deg: Option<f64>,
+    spline: Option<CurveOut<'py>>,
+    offset_sigma: Option<f64>,
+    direction_sigma_deg: Option<f64>,
+    radius_sigma: Option<f64>,
+    normal_sigma_deg: Option<f64>,
+    covariance: Option<Bound<'py, PyArray2<f64>>>,
+}
+
+/// The curves for Python.
+pub fn typed<'py>(py: Python<'py>, pieces: &[Piece]) -> PyResult<Vec<TypedOut<'py>>> {
+    pieces.iter().map(|p| one(py, p)).collect()
+}
+
+fn one<'py>(py: Python<'py>, piece: &Piece) -> PyResult<TypedOut<'py>> {
+    let (round, sweep, spline): (Option<&Round>, _, _) = match &piece.shape {
+        Shape::Line => (None, None, None),
+        Shape::Arc { round, sweep } => (Some(round), Some(*sweep), None),
+        Shape::Circle(round) => (Some(round), None, None),
+        Shape::Spline(spline) => (None, None, curve(py, spline)?),
+    };
+    let (line, circle) = match piece.sigma {
+        Some(Sigma::Line { offset, direction }) => (Some((offset, direction)), None),
+        Some(Sigma::Round { radius, normal, covariance }) => (None, Some((radius, normal, covariance))),
+        None => (None, None),
+    };
+    Ok(TypedOut {
+        typed: Py::new(py, Typed(piece.clone()))?,
+        kind: piece.shape.name(),
+        start: triple(py, piece.from),
+        end: triple(py, piece.to),
+        first: piece.first,
+        last: piece.last,
+        deviation: piece.deviation,
+        center: round.map(|r| triple(py, r.centre)),
+        normal: round.map(|r| triple(py, r.normal)),
+        radius: round.map(|r| r.radius),
+        sweep_deg: sweep.map(f64::to_degrees),
+        spline,
+        offset_sigma: line.map(|(offset, _)| offset),
+        direction_sigma_deg: line.map(|(_, direction)| direction.to_degrees()),
+        radius_sigma: circle.map(|(radius, ..)| radius),
+        normal_sigma_deg: circle.map(|(_, normal, _)| normal.to_degrees()),
+        covariance: circle.map(|(.., covariance)| table(py, covariance.to_vec())).transpose()?,
+    })
+}
+
+/// A typed curve as Python's object holds it.
+#[derive(FromPyObject)]
+pub struct TypedIn<'py> {
+    #[pyo3(attribute("_typed"))]
+    typed: Bound<'py, Typed>,
+}
+
+impl TypedIn<'_> {
+    /// The curve.
+    pub fn piece(&self) -> Piece {
+        self.typed.get().0.clone()
+    }
+}

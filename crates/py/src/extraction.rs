@@ -1,0 +1,138 @@
+//! `extract`: points in, network, classes and report out.
+
+use std::path::PathBuf;
+
+use lineament::patch::NO_PATCH;
+use lineament::{Attribute, Column, Extraction, Network, Patches, extract_observed};
+use lineament_io::{PointTable, write_network, write_patches};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1};
+use pyo3::prelude::*;
+
+use crate::fault::Fault;
+use crate::network::{self, NetworkOut};
+use crate::patches::{self, PatchesOut};
+use crate::provenance::Provenance;
+use crate::report::{self, ReportOut};
+use crate::scan::ScanIn;
+use crate::settings::{self, Setting};
+use crate::work::{Observe, on_rows};
+
+/// What of an extraction is kept for its outputs.
+#[pyclass(frozen, module = "lineament._lineament")]
+pub struct Found {
+    network: Network,
+    patches: Option<Patches>,
+}
+
+/// An extraction as a dictionary.
+#[derive(IntoPyObject)]
+pub struct ExtractionOut<'py> {
+    found: Py<Found>,
+    network: NetworkOut<'py>,
+    classes: Bound<'py, PyArray1<u8>>,
+    scores: Bound<'py, PyArray1<f32>>,
+    clutter: Bound<'py, PyArray1<u32>>,
+    labels: Option<Bound<'py, PyArray1<i32>>>,
+    patches: Option<PatchesOut<'py>>,
+    report: ReportOut,
+}
+
+/// Extracts the lines of `(N, 3)` points with these settings; `progress` is called with the name of a stage and the share done.
+#[pyfunction]
+#[pyo3(signature = (points, settings, progress=None))]
+pub fn extract<'py>(
+    points: &Bound<'py, PyArray2<f64>>,
+    settings: Vec<Setting>,
+    progress: Option<Bound<'py, PyAny>>,
+) -> PyResult<ExtractionOut<'py>> {
+    let params = settings::params(&settings)?;
+    // Classes and scores are made on the worker, and what Python does not ask for is freed there.
+    let work = move |points: &[[f64; 3]], observe: Observe| {
+        let tell = |p: lineament::Progress| observe(p.stage.name(), p.done);
+        Ok::<_, Fault>(Kept::of(extract_observed(points, &params, &tell)?))
+    };
+    out(points.py(), on_rows(points, progress, work)?)
+}
+
+/// The part of an extraction that Python shows.
+struct Kept {
+    network: Network,
+    patches: Option<Patches>,
+    classes: Vec<u8>,
+    scores: Vec<f32>,
+    clutter: Vec<u32>,
+    labels: Option<Vec<i32>>,
+    report: lineament::Report,
+}
+
+impl Kept {
+    fn of(found: Extraction) -> Kept {
+        Kept {
+            classes: found.classes().into_iter().map(|class| class as u8).collect(),
+            scores: found.scores(),
+            labels: found.patches.is_some().then(|| labels(&found)),
+            clutter: found.clutter,
+            report: found.report,
+            network: found.network,
+            patches: found.patches,
+        }
+    }
+}
+
+/// `(N)` patch of every point, -1 for none.
+fn labels(found: &Extraction) -> Vec<i32> {
+    let signed = |label: u32| if label == NO_PATCH { -1 } else { label as i32 };
+    found.patch_labels().into_iter().map(signed).collect()
+}
+
+fn out(py: Python<'_>, kept: Kept) -> PyResult<ExtractionOut<'_>> {
+    let Kept { network, patches, classes, scores, clutter, labels, report } = kept;
+    Ok(ExtractionOut {
+        network: network::out(py, &network)?,
+        patches: patches.as_ref().map(|p| patches::out(py, p)),
+        labels: labels.map(|labels| labels.into_pyarray(py)),
+        found: Py::new(py, Found { network, patches })?,
+        classes: classes.into_pyarray(py),
+        scores: scores.into_pyarray(py),
+        clutter: clutter.into_pyarray(py),
+        report: report::out(&report),
+    })
+}
+
+#[pymethods]
+impl Found {
+    /// Writes the network to a file, in the format of its extension.
+    fn write(
+        &self,
+        py: Python<'_>,
+        path: PathBuf,
+        inputs: Vec<PathBuf>,
+        provenance: Provenance,
+        view: &str,
+        millimetres: Option<f64>,
+    ) -> PyResult<()> {
+        let context = provenance.context(self.patches.clone(), view, millimetres)?;
+        Ok(py.detach(|| write_network(&path, &inputs, &self.network, &context)).map_err(Fault::from)?)
+    }
+
+    /// Writes the patches to a file, in the format of its extension: `labels` number the patch of each point of `scan`.
+    fn write_patches(
+        &self,
+        path: PathBuf,
+        scan: ScanIn<'_>,
+        provenance: Provenance,
+        labels: PyReadonlyArray1<'_, i32>,
+        classes: PyReadonlyArray1<'_, u8>,
+    ) -> PyResult<()> {
+        let context = provenance.context(self.patches.clone(), "auto", None)?;
+        let (py, las, inputs) = (labels.py(), scan.las.clone(), scan.files.clone());
+        let mut cloud = scan.cloud()?;
+        let values = Column::I32(labels.as_array().to_vec());
+        cloud.attributes.insert(0, Attribute { name: "patch".into(), values });
+        let classes = classes.as_array().to_vec();
+        let las = las.as_ref().map(|las| &las.get().0);
+        let table = PointTable { cloud: &cloud, classes: &classes, scores: &[], las };
+        let write = || write_patches(&path, &inputs, &self.network, &context, &table);
+        Ok(py.detach(write).map_err(Fault::from)?)
+    }
+}

@@ -1,0 +1,134 @@
+//! `read`: a file as points with their attributes.
+
+use std::path::PathBuf;
+
+use lineament::Cloud;
+use lineament::mesh::MeshPoints;
+use lineament_io::{Format, LasFrame, Missing, ReadOptions, Returns, read as read_file};
+use numpy::{PyArray2, PyReadonlyArray2};
+use pyo3::prelude::*;
+
+use crate::arrays::attributes::{self, Named};
+use crate::arrays::{rows, table};
+use crate::fault::Fault;
+use crate::work::alone;
+
+/// How a LAS or LAZ file stored its coordinates, for outputs that are to be like it.
+#[pyclass(frozen, module = "lineament._lineament")]
+pub struct Las(pub LasFrame);
+
+/// A scan as Python's object holds it.
+#[derive(FromPyObject)]
+pub struct ScanIn<'py> {
+    points: PyReadonlyArray2<'py, f64>,
+    columns: Vec<Named<'py>>,
+    /// How the coordinates were stored.
+    pub las: Option<Bound<'py, Las>>,
+    /// The files that it was read from.
+    pub files: Vec<PathBuf>,
+}
+
+impl ScanIn<'_> {
+    /// The points with their attributes, for a writer.
+    pub fn cloud(self) -> Result<Cloud, Fault> {
+        Ok(Cloud { positions: rows(&self.points)?.to_vec(), attributes: attributes::back(self.columns)? })
+    }
+}
+
+/// The content of a file as a dictionary.
+#[derive(IntoPyObject)]
+pub struct ScanOut<'py> {
+    points: Bound<'py, PyArray2<f64>>,
+    attributes: Vec<Named<'py>>,
+    format: String,
+    ignored: Vec<String>,
+    warnings: Vec<String>,
+    missing: Option<String>,
+    beside: Vec<PathBuf>,
+    crs: Option<String>,
+    epsg: Option<u32>,
+    crs_wkt: Option<String>,
+    las: Option<Py<Las>>,
+    sha256: Option<String>,
+    sampled: Option<(usize, f64)>,
+    bytes: u64,
+}
+
+/// How a file is read.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Options {
+    salvage: bool,
+    attributes: bool,
+    hash: bool,
+    memory: Option<u64>,
+    classes: Vec<u8>,
+    returns: Option<String>,
+    scan: Option<usize>,
+    every: Option<usize>,
+    voxel: Option<f64>,
+    bounds: Option<[[f64; 3]; 2]>,
+    format: Option<String>,
+    vertices: bool,
+    samples: Option<usize>,
+}
+
+/// Reads the points of a file.
+#[pyfunction]
+pub fn read(py: Python<'_>, path: PathBuf, options: Options) -> PyResult<ScanOut<'_>> {
+    let options = options.checked()?;
+    let scan = alone(py, move || Ok(read_file(&path, &options)?))?;
+    Ok(ScanOut {
+        points: table(py, scan.cloud.positions)?,
+        attributes: attributes::out(py, scan.cloud.attributes),
+        format: scan.format.to_string(),
+        ignored: scan.ignored,
+        warnings: scan.warnings,
+        missing: scan.missing.map(|m: Missing| m.to_string()),
+        beside: scan.beside,
+        crs: scan.crs,
+        epsg: scan.epsg,
+        crs_wkt: scan.las.as_ref().and_then(LasFrame::wkt),
+        las: scan.las.map(|las| Py::new(py, Las(las))).transpose()?,
+        sha256: scan.sha256,
+        sampled: scan.sampled,
+        bytes: scan.bytes,
+    })
+}
+
+impl Options {
+    fn checked(self) -> Result<ReadOptions, Fault> {
+        let format = |name: String| {
+            Format::parse(&name)
+                .ok_or_else(|| Fault::Argument(format!("there is no format of scans `{name}`")))
+        };
+        let mesh = match (self.samples, self.vertices) {
+            (Some(count), _) => MeshPoints::Sampled(count),
+            (None, true) => MeshPoints::Vertices,
+            (None, false) => MeshPoints::Auto,
+        };
+        Ok(ReadOptions {
+            salvage: self.salvage,
+            attributes: self.attributes,
+            hash: self.hash,
+            memory: self.memory,
+            classes: self.classes,
+            returns: self.returns.as_deref().map(returns).transpose()?,
+            scan: self.scan,
+            every: self.every,
+            voxel: self.voxel,
+            bounds: self.bounds,
+            format: self.format.map(format).transpose()?,
+            mesh: Some(mesh),
+        })
+    }
+}
+
+fn returns(name: &str) -> Result<Returns, Fault> {
+    match name {
+        "first" => Ok(Returns::First),
+        "last" => Ok(Returns::Last),
+        "only" => Ok(Returns::Only),
+        _ => Err(Fault::Argument(format!("returns `{name}`: first, last or only was expected"))),
+    }
+}

@@ -1,0 +1,138 @@
+"""Parameters as keyword arguments. Names and defaults come from the one table of the compiled part."""
+
+from __future__ import annotations
+
+import difflib
+import inspect
+import keyword
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeVar, cast
+
+import numpy as np
+
+from lineament import _lineament
+from lineament._errors import ParameterError
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter of the table."""
+
+    key: str
+    """Section and name in the program, such as ``penalty.fold_deg``."""
+    default: bool | int | float | str
+    unit: str
+    """The unit, empty for a plain number."""
+    accepts: str
+    """The values accepted, in words."""
+    doc: str
+    """Its meaning."""
+
+    @property
+    def keyword(self) -> str:
+        """The keyword argument: the key with ``_`` in place of the dot."""
+        return self.key.replace(".", "_")
+
+    @property
+    def name(self) -> str:
+        """The part of the key after the dot."""
+        return self.key.rpartition(".")[2]
+
+    @property
+    def short(self) -> str:
+        """The name as a keyword argument of a function of its section: with ``_`` after it where it is a word of Python's."""
+        return f"{self.name}_" if keyword.iskeyword(self.name) else self.name
+
+    @property
+    def section(self) -> str:
+        """The part of the key before the dot."""
+        return self.key.partition(".")[0]
+
+
+def _value(text: str, accepts: str) -> bool | int | float | str:
+    """A default as a value of Python."""
+    if accepts == "true or false":
+        return text == "true"
+    for number in (int, float):
+        try:
+            return number(text)
+        except ValueError:
+            continue
+    return text
+
+
+def parameters() -> list[Parameter]:
+    """Every parameter with its key, default, unit, range and meaning, in the order of the pipeline: what ``lineament params``
+    prints."""
+    return list(_TABLE)
+
+
+_TABLE = tuple(
+    Parameter(raw["key"], _value(raw["default"], raw["accepts"]), raw["unit"], raw["accepts"], raw["doc"])
+    for raw in _lineament.parameters()
+)
+_KEYS = {parameter.keyword: parameter.key for parameter in _TABLE}
+
+
+def signed(*sections: str) -> Callable[[Function], Function]:
+    """Gives a function that takes ``**parameters`` the signature with the parameters of these sections and their defaults."""
+
+    def sign(function: Function) -> Function:
+        own = inspect.signature(function)
+        fixed = [p for p in own.parameters.values() if p.kind is not inspect.Parameter.VAR_KEYWORD]
+        tabled = [
+            inspect.Parameter(p.keyword if len(sections) > 1 else p.short, inspect.Parameter.KEYWORD_ONLY, default=p.default)
+            for p in _TABLE
+            if p.section in sections
+        ]
+        function.__signature__ = own.replace(parameters=[*fixed, *tabled])  # type: ignore[attr-defined]
+        return function
+
+    return sign
+
+
+def settings(params: Mapping[str, Any] | None, keywords: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """Keys and values as text, as ``--set`` of the program reads them: those of ``params``, then the keyword arguments."""
+    unknown = next((name for name in keywords if name not in _KEYS), None)
+    if unknown is not None:
+        near = difflib.get_close_matches(unknown, _KEYS, n=1)
+        meant = f": did you mean '{near[0]}'?" if near else ""
+        raise TypeError(f"there is no parameter '{unknown}'{meant}")
+    given = _flat(params or {}, "")
+    return [*given, *((_KEYS[name], text(value)) for name, value in keywords.items())]
+
+
+def section_settings(params: Mapping[str, Any] | None, keywords: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """As :func:`settings`, of keyword arguments without ``section_``. Numbers and sequences for ``planes`` are counts and positions."""
+    given = dict(keywords)
+    planes = given.get("planes")
+    if planes is not None and not isinstance(planes, str):
+        number = isinstance(planes, (int, np.integer))
+        given["planes"] = f"count:{planes}" if number else f"at:{text(list(planes))}"
+    return settings(params, {f"section_{name.removesuffix('_')}": value for name, value in given.items()})
+
+
+def _flat(params: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, str]]:
+    for name, value in params.items():
+        if isinstance(value, Mapping):
+            yield from _flat(cast("Mapping[str, Any]", value), f"{prefix}{name}.")
+        else:
+            yield f"{prefix}{name}", text(value)
+
+
+def text(value: object) -> str:
+    """A value as the program reads it."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return value
+    if isinstance(value, np.generic):
+        return text(cast("Any", value).item())
+    if isinstance(value, (Sequence, np.ndarray)):
+        return ",".join(text(item) for item in cast("Sequence[object]", value))
+    if isinstance(value, (int, float)):
+        return repr(value)
+    raise ParameterError(f"a parameter of type {type(value).__name__}: a number, a truth value or a text is expected")
