@@ -6,8 +6,9 @@ use std::process::{Command, Stdio};
 
 use crate::workspace::{cargo, root, succeed};
 
-/// The profile that tests are built with: what they have compiled already need not be compiled again.
-const PROFILE: &str = "test";
+/// The profile of package and program unless another is named: that of users. `test` would not do, as cargo takes it for a wish to
+/// test the library.
+const PROFILE: &str = "release";
 
 /// Said with a failure to make the environment.
 const NO_PYTHON: &str = "\
