@@ -5,8 +5,8 @@ use crate::math::vec3::{add_scaled, distance2, dot, sub};
 use crate::measure::Class;
 use crate::neighbors::Index;
 use crate::network::{Network, Strip, StripKind};
+use crate::parallel;
 use crate::surface::Scales;
-use rayon::prelude::*;
 
 /// Greatest distance of a point on a line from it, in spacings at the point. On a square lattice the next row, which is not on the
 /// line, lies at .88 spacings, the spacing being the mean distance to the six nearest.
@@ -20,11 +20,9 @@ pub fn classes(points: &[[f64; 3]], network: &Network, scales: Scales) -> Vec<Cl
     let segments: Vec<Segment> = network.strips.iter().flat_map(|s| segments(s, scales)).collect();
     let boxes = Boxes::new(segments.iter().map(|s| Extent::of([s.from, s.to])));
     let bound = |i: u32| (ON_LINE * scales.cautious(i)).powi(2);
-    let mut classes: Vec<Class> = (0..points.len())
-        .into_par_iter()
-        .with_min_len(1024)
-        .map(|i| first_near(&segments, &boxes, points[i], bound(i as u32)).map_or(Class::Smooth, |s| s.class))
-        .collect();
+    let mut classes = parallel::map(points.len(), |i| {
+        first_near(&segments, &boxes, points[i], bound(i as u32)).map_or(Class::Smooth, |s| s.class)
+    });
     let index = Index::build(points);
     let mut found = Vec::new();
     for node in &network.nodes {

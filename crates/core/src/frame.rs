@@ -5,10 +5,9 @@ mod order;
 
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
-use rayon::prelude::*;
-
 use crate::cloud::Cloud;
 use crate::error::Error;
+use crate::parallel;
 use morton::{Grid, LEVELS};
 use order::Ordered;
 
@@ -17,6 +16,9 @@ const EXTENT_LIMIT: f64 = 1e150;
 
 /// Spacings below this have squares that vanish.
 const LEAST_SPACING: f64 = 1e-140;
+
+/// Points that one thread treats one after the other.
+const CHUNK: usize = 1 << 14;
 
 /// Where the local frame lies in the world: `world = offset + scale * local`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,10 +70,10 @@ impl Localised {
     /// `(N)` for each input point its canonical index; `u32::MAX` where it was dropped as non-finite.
     pub fn canonical(&self) -> Vec<u32> {
         let read = self.source.len() + self.merged() + self.dropped;
-        let canonical: Vec<AtomicU32> = (0..read).into_par_iter().map(|_| AtomicU32::new(u32::MAX)).collect();
+        let canonical = parallel::map(read, |_| AtomicU32::new(u32::MAX));
         // Every input point is numbered once, so that it does not matter which thread does it.
         let number = |i: u32, c: u32| canonical[i as usize].store(c, Relaxed);
-        self.source.par_iter().enumerate().for_each(|(c, &i)| number(i, c as u32));
+        parallel::map(self.source.len(), |c| number(self.source[c], c as u32));
         self.repeats.iter().for_each(|&(i, c)| number(i, c));
         canonical.into_iter().map(AtomicU32::into_inner).collect()
     }
@@ -101,7 +103,9 @@ impl Frame {
         let Ordered { relative: mut positions, mut source, levels } = order::canonical(&grid, points);
         let frame = Frame { offset: grid.offset, scale: grid.spacing(&levels) };
         let to_local = 1.0 / frame.scale;
-        positions.par_iter_mut().for_each(|p| *p = p.map(|x| x * to_local));
+        parallel::each(positions.chunks_mut(CHUNK), |_, chunk| {
+            chunk.iter_mut().for_each(|p| *p = p.map(|x| x * to_local));
+        });
         let finite = positions.len();
         let repeats = if levels[LEVELS] > 0 { merge(&mut positions, &mut source) } else { Vec::new() };
         Ok(Localised { frame, positions, source, repeats, dropped: points.len() - finite })
@@ -144,7 +148,8 @@ impl Bounds {
 
     /// Over the points of which all three coordinates are finite.
     fn of(points: &[[f64; 3]]) -> Bounds {
-        points.par_chunks(1 << 14).map(Bounds::of_chunk).reduce(|| Bounds::NONE, Bounds::union)
+        let chunks = parallel::each(points.chunks(CHUNK), |_, chunk| Bounds::of_chunk(chunk));
+        chunks.into_iter().fold(Bounds::NONE, Bounds::union)
     }
 
     fn of_chunk(points: &[[f64; 3]]) -> Bounds {

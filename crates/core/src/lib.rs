@@ -92,6 +92,7 @@ mod method;
 pub mod neighbors;
 mod network;
 pub mod papers;
+mod parallel;
 pub mod params;
 pub mod patch;
 mod pattern;

@@ -13,10 +13,10 @@ pub use verify::take_back;
 pub use world::to_world;
 
 use crate::network::{Network, Node, NodeKind, Strip, StripKind};
+use crate::parallel;
 use crate::params::SplineParams;
 use crate::pattern::{LineGraph, Path, Pattern, paths};
 use crate::surface::Scales;
-use rayon::prelude::*;
 
 /// Strips and nodes of a pattern, with smooth curves (Gumhold 2001, section 4, the simple solution); local frame, sources as
 /// canonical indices.
@@ -52,11 +52,11 @@ fn append(
         });
     }
     let nodes = &network.nodes;
-    let strip = |path: &Path| {
+    let strips = parallel::map(paths.len(), |p| {
+        let path = &paths[p];
         let ends = path.ends.map(|[a, b]| [first + a, first + b]);
         spline::strip(nodes, kind, lines, path, ends, scales, params)
-    };
-    let strips: Vec<Strip> = paths.par_iter().map(strip).collect();
+    });
     network.strips.extend(strips);
 }
 

@@ -2,7 +2,7 @@
 
 use crate::math::tensor::ellipsoid;
 use crate::neighbors::{Neighbors, mean_distance, riemannian::Scratch};
-use rayon::prelude::*;
+use crate::parallel;
 
 /// Mean spacing and noise of a cloud, local frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -38,8 +38,8 @@ impl Resolution {
     pub fn estimate(points: &[[f64; 3]], nearest: &Neighbors, graph: &Neighbors) -> Resolution {
         let step = points.len().div_ceil(SAMPLES).max(1);
         let chosen: Vec<usize> = (0..points.len()).step_by(step).collect();
-        let near: Vec<f64> =
-            chosen.par_iter().map(|&i| mean_distance(points, i, six(nearest.of(i)))).collect();
+        let near =
+            parallel::map(chosen.len(), |k| mean_distance(points, chosen[k], six(nearest.of(chosen[k]))));
         let raw = mean_without_strays(&near);
         let small = FITS.iter().filter_map(|&(size, scale)| {
             let fits = chosen.iter().filter(|&&i| nearest.of(i).len() >= size - 1);
@@ -89,17 +89,14 @@ fn wide_noise(points: &[[f64; 3]], graph: &Neighbors, chosen: &[usize]) -> Optio
 /// The [`QUANTILE`] of the plane residuals divided by `scale`, corrected for the three parameters of the plane; `None` if the
 /// neighbourhoods are not flat.
 fn flat_residual(points: &[[f64; 3]], sets: Vec<(usize, Vec<u32>)>, scale: f64) -> Option<f64> {
-    let fits: Vec<(f64, f64)> = sets
-        .par_iter()
-        .filter(|(_, set)| set.len() > 3)
-        .map(|(i, set)| {
-            let fit = ellipsoid(points, *i, set);
-            let size = fit.count as f64;
-            // The radius of the disc with these variances along its plane.
-            let radius = (2.0 * (fit.axes.values[1] + fit.axes.values[2])).sqrt();
-            ((fit.axes.values[0].max(0.0) * size / (size - 3.0)).sqrt(), radius)
-        })
-        .collect();
+    let sets: Vec<(usize, Vec<u32>)> = sets.into_iter().filter(|(_, set)| set.len() > 3).collect();
+    let fits = parallel::map(sets.len(), |k| {
+        let fit = ellipsoid(points, sets[k].0, &sets[k].1);
+        let size = fit.count as f64;
+        // The radius of the disc with these variances along its plane.
+        let radius = (2.0 * (fit.axes.values[1] + fit.axes.values[2])).sqrt();
+        ((fit.axes.values[0].max(0.0) * size / (size - 3.0)).sqrt(), radius)
+    });
     if fits.is_empty() {
         return None;
     }

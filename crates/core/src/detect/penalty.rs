@@ -9,10 +9,10 @@ mod robust;
 use crate::detect::evidence::hops::hops;
 use crate::measure::{Measure, Penalties};
 use crate::neighbors::{Neighbors, mean_distance};
+use crate::parallel;
 use crate::params::{PenaltyForm, PenaltyParams};
 use crate::resolution::Resolution;
 use crate::surface::Scales;
-use rayon::prelude::*;
 
 /// Parameters derived from the data.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,5 +56,5 @@ pub fn borders(
 
 /// `(N)` mean distance of every point from its direct neighbours (equation 1).
 pub fn densities(points: &[[f64; 3]], graph: &Neighbors) -> Vec<f32> {
-    (0..points.len()).into_par_iter().map(|i| mean_distance(points, i, graph.of(i)) as f32).collect()
+    parallel::map(points.len(), |i| mean_distance(points, i, graph.of(i)) as f32)
 }

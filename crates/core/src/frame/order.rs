@@ -8,6 +8,7 @@
 use rayon::prelude::*;
 
 use super::morton::{BITS, BUCKET_LEVELS, DEPTHS, Grid, LEVELS, Levels, finite};
+use crate::parallel;
 
 /// A Morton code (64 bits), the index of its point in the input (32) and its place in the bucket (32), in one
 /// number that sorts by them.
@@ -24,6 +25,8 @@ const CODE_BITS: u32 = 3 * BITS - BUCKET_BITS;
 const SMALL: usize = 1 << (64 - CODE_BITS);
 /// Below this many entries a sort by all threads does not pay.
 const LARGE: usize = 1 << 15;
+/// Buckets that are sorted one after the other, in the same memory.
+const TOGETHER: usize = 16;
 
 /// The finite points in canonical order.
 pub(super) struct Ordered {
@@ -56,16 +59,19 @@ pub(super) fn canonical(grid: &Grid, points: &[[f64; 3]]) -> Ordered {
         let shared = (pair[0].0 ^ pair[1].0).leading_zeros() - (usize::BITS - BUCKET_BITS);
         levels[shared as usize / 3] += 1;
     }
-    let sort = |mut bucket: Bucket, (b, relative, source): (usize, &mut [[f64; 3]], &mut [u32])| {
-        bucket.gather(&dealt, b);
-        bucket.sort(grid);
-        bucket.emit(relative, source);
-        bucket
-    };
-    let add = |a: Levels, b: Levels| std::array::from_fn(|l| a[l] + b[l]);
-    let parts = buckets.into_par_iter().with_min_len(16).fold(Bucket::default, sort).map(|b| b.levels);
-    let within = parts.reduce(|| [0; LEVELS + 1], add);
-    Ordered { relative, source, levels: add(levels, within) }
+    let within = parallel::each(buckets.chunks_mut(TOGETHER), |_, buckets| {
+        let mut own = Bucket::default();
+        for (b, relative, source) in buckets {
+            own.gather(&dealt, *b);
+            own.sort(grid);
+            own.emit(relative, source);
+        }
+        own.levels
+    });
+    for part in within {
+        (0..=LEVELS).for_each(|l| levels[l] += part[l]);
+    }
+    Ordered { relative, source, levels }
 }
 
 /// The finite points of a chunk of the input, bucket by bucket.
@@ -82,8 +88,8 @@ struct Dealt {
 /// their number is limited.
 fn deal(grid: &Grid, points: &[[f64; 3]]) -> Vec<Dealt> {
     let size = (points.len() / 1024).max(1 << 14);
-    let chunk = |(c, points): (usize, &[[f64; 3]])| Dealt::new(grid, points, (c * size) as u32);
-    points.par_chunks(size).enumerate().map(chunk).collect()
+    let chunk = |c: usize, points: &[[f64; 3]]| Dealt::new(grid, points, (c * size) as u32);
+    parallel::each(points.chunks(size), chunk)
 }
 
 impl Dealt {
@@ -229,7 +235,7 @@ fn order_run(grid: &Grid, run: &mut [Entry], relative: &[[f64; 3]], depth: u32, 
         levels[LEVELS] += run.len() - 1; // duplicates, by index already
     } else if depth + 1 < DEPTHS {
         let deeper = |e: &mut Entry| *e = entry(grid.code(at(e), depth + 1), index(*e), *e as u32);
-        run.par_iter_mut().with_min_len(LARGE).for_each(deeper);
+        parallel::each(run.chunks_mut(LARGE), |_, part| part.iter_mut().for_each(deeper));
         sort(run);
         refine(grid, run, relative, depth + 1, levels);
     } else {

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use super::faces::Faces;
 use super::triangles;
 use crate::math::vec3::{cross, norm, scale, sub};
+use crate::parallel;
 
 /// Triangles that share the vertices they meet in.
 pub(super) struct Surface {
@@ -50,18 +51,18 @@ impl Surface {
         for face in faces.iter().filter(finite) {
             triangles::split(face, local, &mut soup);
         }
-        let (vertices, triangles) = welded(soup.par_iter().map(|t| t.map(local)).collect());
+        let (vertices, triangles) = welded(parallel::map(soup.len(), |t| soup[t].map(local)));
         Self { vertices, triangles, areas: Vec::new(), normals: Vec::new(), area: 0.0, scale, offset: low }
             .measured()
     }
 
     /// With areas and normals, without triangles that have no area.
     fn measured(mut self) -> Option<Self> {
-        let vector = |t: &[u32; 3]| {
-            let [a, b, c] = self.corners(t);
+        let vector = |t: usize| {
+            let [a, b, c] = self.corners(&self.triangles[t]);
             scale(cross(sub(b, a), sub(c, a)), 0.5)
         };
-        let vectors: Vec<[f64; 3]> = self.triangles.par_iter().map(vector).collect();
+        let vectors = parallel::map(self.triangles.len(), vector);
         let mut areas = vectors.iter().map(|&v| norm(v));
         self.triangles.retain(|_| areas.next().is_some_and(|area| area > 0.0));
         let kept = vectors.into_iter().filter(|&v| norm(v) > 0.0);
@@ -92,8 +93,8 @@ fn welded(soup: Vec<[[f64; 3]; 3]>) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     vertices.par_sort_unstable_by(order);
     vertices.dedup();
     let number = |p: &[f64; 3]| vertices.partition_point(|v| order(v, p).is_lt()) as u32;
-    let numbered = |t: &[[f64; 3]; 3]| {
-        let [a, b, c] = [number(&t[0]), number(&t[1]), number(&t[2])];
+    let numbered = |t: usize| {
+        let [a, b, c] = soup[t].each_ref().map(number);
         if a <= b && a <= c {
             [a, b, c]
         } else if b <= c {
@@ -102,7 +103,7 @@ fn welded(soup: Vec<[[f64; 3]; 3]>) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
             [c, a, b]
         }
     };
-    let mut triangles: Vec<[u32; 3]> = soup.par_iter().map(numbered).collect();
+    let mut triangles = parallel::map(soup.len(), numbered);
     let set = |t: &[u32; 3]| [t[0], t[1].min(t[2]), t[1].max(t[2])];
     triangles.par_sort_unstable_by_key(|t| (set(t), *t));
     triangles.dedup_by_key(|t| set(t));

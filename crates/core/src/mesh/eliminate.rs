@@ -10,6 +10,7 @@ use std::collections::BinaryHeap;
 
 use super::scatter::Candidate;
 use crate::math::vec3::distance2;
+use crate::parallel;
 
 /// Exponent of the weights, and what limits them (section 4.2: alpha, beta; gamma is 1.5).
 const ALPHA: i32 = 8;
@@ -24,7 +25,7 @@ pub(super) fn eliminate(candidates: &[Candidate], area: f64, count: usize) -> Ve
     let r_max = (area / (2.0 * 3.0_f64.sqrt() * count as f64)).sqrt();
     let share = count as f64 / candidates.len().max(1) as f64;
     let r_min = r_max * (1.0 - share * share.sqrt()) * BETA;
-    let grid = Grid::new(candidates, one_a_cell(candidates, CELL * r_max), 2.0 * r_max, 2.0 * r_min);
+    let grid = Grid::new(candidates, &one_a_cell(candidates, CELL * r_max), 2.0 * r_max, 2.0 * r_min);
     let mut kept = grid.thin(count);
     kept.sort_unstable();
     kept
@@ -39,11 +40,7 @@ fn cell(position: [f64; 3], edge: f64) -> Cell {
 
 /// The first candidate of every cell.
 fn one_a_cell(candidates: &[Candidate], edge: f64) -> Vec<u32> {
-    let mut cells: Vec<(Cell, u32)> = candidates
-        .par_iter()
-        .zip(0u32..candidates.len() as u32)
-        .map(|(c, i)| (cell(c.position, edge), i))
-        .collect();
+    let mut cells = parallel::map(candidates.len(), |i| (cell(candidates[i].position, edge), i as u32));
     cells.par_sort_unstable();
     cells.dedup_by_key(|(cell, _)| *cell);
     cells.into_iter().map(|(_, i)| i).collect()
@@ -60,17 +57,16 @@ struct Grid<'a> {
 }
 
 impl<'a> Grid<'a> {
-    fn new(candidates: &'a [Candidate], chosen: Vec<u32>, reach: f64, limit: f64) -> Self {
-        let place = |i: u32| (cell(candidates[i as usize].position, reach), i);
-        let mut places: Vec<(Cell, u32)> = chosen.into_par_iter().map(place).collect();
+    fn new(candidates: &'a [Candidate], chosen: &[u32], reach: f64, limit: f64) -> Self {
+        let place = |k: usize| (cell(candidates[chosen[k] as usize].position, reach), chosen[k]);
+        let mut places = parallel::map(chosen.len(), place);
         places.par_sort_unstable();
         Self { candidates, places, reach, limit }
     }
 
     /// Takes out the most crowded place until `count` are left; gives the candidates that stay.
     fn thin(&self, count: usize) -> Vec<u32> {
-        let mut weights: Vec<f64> =
-            (0..self.places.len()).into_par_iter().map(|at| self.weight(at)).collect();
+        let mut weights = parallel::map(self.places.len(), |at| self.weight(at));
         let mut heap: BinaryHeap<Crowded> =
             weights.iter().zip(0..).map(|(&w, at)| Crowded(w, Reverse(at))).collect();
         let (mut stays, mut left) = (vec![true; self.places.len()], self.places.len());

@@ -1,9 +1,8 @@
 //! Random points on triangles, uniform by area and in strata: each lies in its own stretch of the sum of areas.
 
-use rayon::prelude::*;
-
 use super::canonical::Surface;
 use crate::math::vec3::{add_scaled, sub};
+use crate::parallel;
 
 /// Candidates for each point that is to stay (Yuksel, section 4.1, has 5).
 pub(super) const FACTOR: usize = 5;
@@ -36,7 +35,7 @@ pub(super) fn scatter(surface: &Surface, count: usize) -> Vec<Candidate> {
         let position = add_scaled(add_scaled(a, sub(b, a), root * (1.0 - v)), sub(c, a), root * v);
         Candidate { position, normal: surface.normals[at].map(|x| x as f32) }
     };
-    (0..count).into_par_iter().map(point).collect()
+    parallel::map(count, point)
 }
 
 /// The number of a counter in `[0, 1)`: splitmix64 (Steele and others, 2014), the same on every machine.

@@ -9,7 +9,7 @@ use super::leaf::BLOCK;
 use super::rows::Neighbors;
 use crate::math::tensor::plane_normal;
 use crate::math::vec3::{cross, dot, perpendicular, sub};
-use rayon::prelude::*;
+use crate::parallel;
 
 /// Relative distance up to which a bisector touches a corner of the cell without cutting it off.
 const TOUCH: f64 = 1e-9;
@@ -37,20 +37,17 @@ type Block = (Vec<u32>, Vec<u32>, Vec<[f32; 3]>);
 /// orientation, of the least-squares plane through the ring and the point.
 pub fn one_rings(points: &[[f64; 3]], nearest: &Neighbors) -> (Neighbors, Vec<[f32; 3]>) {
     let blocks = points.len().div_ceil(BLOCK);
-    let rings: Vec<Block> = (0..blocks)
-        .into_par_iter()
-        .map_init(Cell::default, |cell, b| {
-            let range = b * BLOCK..points.len().min((b + 1) * BLOCK);
-            let (mut counts, mut indices, mut normals) = (Vec::new(), Vec::new(), Vec::new());
-            for i in range {
-                let before = indices.len();
-                cell.ring(points, i, nearest.of(i), &mut indices);
-                counts.push((indices.len() - before) as u32);
-                normals.push(plane_normal(points, i, &indices[before..]).map(|x| x as f32));
-            }
-            (counts, indices, normals)
-        })
-        .collect();
+    let rings: Vec<Block> = parallel::map_with(blocks, |cell: &mut Cell, b| {
+        let range = b * BLOCK..points.len().min((b + 1) * BLOCK);
+        let (mut counts, mut indices, mut normals) = (Vec::new(), Vec::new(), Vec::new());
+        for i in range {
+            let before = indices.len();
+            cell.ring(points, i, nearest.of(i), &mut indices);
+            counts.push((indices.len() - before) as u32);
+            normals.push(plane_normal(points, i, &indices[before..]).map(|x| x as f32));
+        }
+        (counts, indices, normals)
+    });
     let mut all = Neighbors { offsets: vec![0], indices: Vec::new() };
     let mut normals = Vec::with_capacity(points.len());
     let mut end = 0;

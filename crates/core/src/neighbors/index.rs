@@ -4,11 +4,10 @@
 //! That costs 30 ns a point; leaves of sixteen consecutive points, tried first, have looser boxes, and searching them
 //! costs 70 ns a point more.
 
-use rayon::prelude::*;
-
 use super::found::Found;
 use super::leaf::{Aabb, BLOCK, Leaf, Node, WIDTH};
 use super::split;
+use crate::parallel;
 
 /// A search structure over a set of points, for queries anywhere.
 #[derive(Clone, Debug, Default)]
@@ -25,18 +24,18 @@ impl Index {
     /// and searches fast; any other order gives the same results.
     pub fn build(positions: &[[f64; 3]]) -> Index {
         let count = positions.len().div_ceil(WIDTH);
-        // Filled by all threads, as most of the cost is the first touch of new memory.
-        let mut leaves: Vec<Leaf> = (0..count).into_par_iter().map(|_| Leaf::EMPTY).collect();
+        let mut leaves = parallel::filled(count, Leaf::EMPTY);
         let mut boxes = vec![Aabb::EMPTY; count];
-        let blocks = positions.par_chunks(BLOCK).zip(leaves.par_chunks_mut(BLOCK / WIDTH));
-        let blocks = blocks.zip(boxes.par_chunks_mut(BLOCK / WIDTH)).enumerate();
-        blocks.for_each(|(b, ((points, leaves), boxes))| {
+        let blocks = positions.chunks(BLOCK).zip(leaves.chunks_mut(BLOCK / WIDTH));
+        let blocks = blocks.zip(boxes.chunks_mut(BLOCK / WIDTH));
+        parallel::each(blocks, |b, ((points, leaves), boxes)| {
             split::leaves(points, (b * BLOCK) as u32, leaves, boxes);
         });
         let mut levels: Vec<Vec<Node>> = Vec::new();
         while boxes.len() > 1 || levels.is_empty() {
-            let nodes: Vec<Node> = boxes.par_chunks(WIDTH).map(Node::new).collect();
-            boxes = boxes.par_chunks(WIDTH).map(Aabb::union).collect();
+            let below: Vec<&[Aabb]> = boxes.chunks(WIDTH).collect();
+            let nodes = parallel::map(below.len(), |n| Node::new(below[n]));
+            boxes = parallel::map(below.len(), |n| Aabb::union(below[n]));
             levels.push(nodes);
             if boxes.is_empty() {
                 break;

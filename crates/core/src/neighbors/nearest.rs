@@ -1,11 +1,10 @@
 //! The nearest neighbours of all points of a cloud, stored or passed on block by block.
 
-use rayon::prelude::*;
-
 use super::engine::{Engine, Instructions};
 use super::index::Index;
 use super::leaf::{BLOCK, WIDTH};
 use super::rows::Neighbors;
+use crate::parallel;
 
 /// For each point its `min(k, N - 1)` nearest other points, sorted by (distance, index): exact in f64 squared
 /// distance, whatever the number of threads.
@@ -23,10 +22,9 @@ pub fn all_nearest_with(positions: &[[f64; 3]], k: usize, instructions: Instruct
     if k > 0 {
         let index = Index::build(positions);
         let engine = Engine::new(&index, positions, k, instructions);
-        let blocks = indices.par_chunks_mut(BLOCK * k).enumerate();
-        blocks.for_each(|(b, lists)| engine.block(b, lists));
+        parallel::each(indices.chunks_mut(BLOCK * k), |b, lists| engine.block(b, lists));
     }
-    let offsets = (0..=positions.len() as u64).into_par_iter().map(|i| i * k as u64).collect();
+    let offsets = parallel::map(positions.len() + 1, |i| (i * k) as u64);
     Neighbors { offsets, indices }
 }
 
@@ -55,12 +53,12 @@ pub(crate) fn nearest_leaves<R: Send>(
     visit: impl Fn(usize, &[u32]) -> R + Sync,
 ) -> Vec<R> {
     let Some((engine, k)) = engine(index, positions, k) else { return Vec::new() };
-    let batch = |lists: &mut Vec<u32>, (b, leaves): (usize, &[u32])| {
+    parallel::map_with(leaves.len().div_ceil(BATCH), |lists: &mut Vec<u32>, b| {
+        let leaves = &leaves[b * BATCH..leaves.len().min((b + 1) * BATCH)];
         lists.resize(leaves.len() * WIDTH * k, 0);
         engine.leaves(leaves, lists);
         visit(b * BATCH, lists)
-    };
-    leaves.par_chunks(BATCH).enumerate().map_init(Vec::new, batch).collect()
+    })
 }
 
 /// Number of leaves that are searched one after the other.
@@ -85,11 +83,10 @@ fn nearest_blocks_in<R: Send>(
     visit: impl Fn(usize, &[u32]) -> R + Sync,
 ) -> Vec<R> {
     let Some((engine, k)) = engine(index, positions, k) else { return Vec::new() };
-    let block = |lists: &mut Vec<u32>, b: usize| {
+    parallel::map_with(positions.len().div_ceil(BLOCK), |lists: &mut Vec<u32>, b| {
         let first = b * BLOCK;
         lists.resize(BLOCK.min(positions.len() - first) * k, 0);
         engine.block(b, lists);
         visit(first, lists)
-    };
-    (0..positions.len().div_ceil(BLOCK)).into_par_iter().map_init(Vec::new, block).collect()
+    })
 }

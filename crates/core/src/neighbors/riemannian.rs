@@ -5,10 +5,9 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use super::rows::Neighbors;
 use crate::math::vec3;
+use crate::parallel;
 
 /// Number of parts of the cloud that are processed in parallel: fixed, and small enough to separate edges by pairs of parts.
 const PARTS: usize = 64;
@@ -25,10 +24,9 @@ pub fn graph(positions: &[[f64; 3]], nearest: &Neighbors) -> Neighbors {
     let size = nearest.len().div_ceil(PARTS).max(1);
     let parts = nearest.len().div_ceil(size);
     let points = |p: usize| p * size..nearest.len().min((p + 1) * size);
-    let sent: Vec<Vec<Vec<Edge>>> =
-        (0..parts).into_par_iter().map(|p| one_sided(positions, nearest, points(p), size)).collect();
+    let sent = parallel::map(parts, |p| one_sided(positions, nearest, points(p), size));
     let row = |p: usize| Rows::received(positions, sent.iter().map(|to| to[p].as_slice()), points(p));
-    let rows: Vec<Rows> = (0..parts).into_par_iter().map(row).collect();
+    let rows = parallel::map(parts, row);
     join(nearest, &rows, size)
 }
 
@@ -118,7 +116,7 @@ fn join(nearest: &Neighbors, rows: &[Rows], size: usize) -> Neighbors {
         slices.push((points, slice));
         rest = after;
     }
-    slices.into_par_iter().zip(rows).for_each(|((points, mut slice), rows)| {
+    parallel::each(slices.into_iter().zip(rows), |_, ((points, mut slice), rows)| {
         for (i, row) in points.zip(rows.starts.windows(2)) {
             for list in [nearest.of(i), &rows.indices[row[0] as usize..row[1] as usize]] {
                 let (head, tail) = slice.split_at_mut(list.len());

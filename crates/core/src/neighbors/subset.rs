@@ -2,8 +2,9 @@
 
 use super::all_nearest;
 use super::index::Index;
+use super::leaf::BLOCK;
 use super::rows::Neighbors;
-use rayon::prelude::*;
+use crate::parallel;
 
 /// The lists of [`all_nearest`] for the points that stay, from those for all points, in their room: a list of which every point
 /// stays is the same; others are searched for anew.
@@ -25,9 +26,11 @@ pub fn among(all: Neighbors, k: usize, number: &[u32], positions: &[[f64; 3]]) -
     indices.truncate(positions.len() * k);
     offsets.truncate(positions.len() + 1);
     let index = Index::build(positions);
-    indices.par_chunks_mut(k).with_min_len(1024).enumerate().for_each_init(Vec::new, |found, (new, list)| {
-        if list.contains(&u32::MAX) {
-            index.nearest(positions[new], k + 1, found);
+    parallel::each(indices.chunks_mut(BLOCK * k), |b, lists| {
+        let mut found = Vec::new();
+        for (new, list) in (b * BLOCK..).zip(lists.chunks_mut(k)).filter(|(_, list)| list.contains(&u32::MAX))
+        {
+            index.nearest(positions[new], k + 1, &mut found);
             let others = found.iter().map(|f| f.index).filter(|&j| j as usize != new);
             list.iter_mut().zip(others).for_each(|(place, j)| *place = j);
         }

@@ -4,7 +4,7 @@ use super::beside::Beside;
 use super::ground::{Ground, NO_PATCH};
 use super::stations::Stations;
 use crate::math::vec3::{cross, distance, dot, perpendicular, sub, unit};
-use rayon::prelude::*;
+use crate::parallel;
 
 /// The polygon from which a cell is clipped: cosine and sine of multiples of 30 degrees.
 const AROUND: [[f64; 2]; 12] = {
@@ -29,14 +29,10 @@ const OPEN: f64 = 0.95;
 
 /// `(M)` area of each point, squared unit of the local frame; zero for points without a patch.
 pub fn areas(ground: &Ground, label: &[u32], stations: &Stations, beside: &Beside) -> Vec<f64> {
-    (0..label.len())
-        .into_par_iter()
-        .with_min_len(1024)
-        .map_init(<[Vec<[f64; 2]>; 2]>::default, |buffers, i| match label[i] {
-            NO_PATCH => 0.0,
-            _ => cell(ground, label, stations, beside, i, buffers),
-        })
-        .collect()
+    parallel::map_with(label.len(), |buffers, i| match label[i] {
+        NO_PATCH => 0.0,
+        _ => cell(ground, label, stations, beside, i, buffers),
+    })
 }
 
 fn cell(

@@ -9,9 +9,9 @@ use super::ground::Ground;
 use super::near::{Near, NearStrip};
 use super::stations::{Station, Stations};
 use crate::math::vec3::{add_scaled, distance, dot, norm, sub};
+use crate::parallel;
 use crate::resolution::Resolution;
 use crate::surface::Scales;
-use rayon::prelude::*;
 
 /// Greatest distance of points beside a strip, spacings; or the length of the point's longest edge if that is more, so that no
 /// edge can cross a strip unnoticed.
@@ -75,16 +75,12 @@ impl Beside {
 /// Finds the points beside all strips and fills in the directions at the stations.
 pub fn beside(ground: &Ground, mut stations: Stations) -> (Stations, Beside) {
     let near = Near::new(&stations);
-    let lists: Vec<Vec<Entry>> = (0..ground.points.len())
-        .into_par_iter()
-        .with_min_len(1024)
-        .map_init(Vec::new, |found, i| {
-            let p = ground.points[i];
-            let edges = ground.graph.of(i).iter().map(|&j| distance(p, ground.points[j as usize]));
-            let strips = near.of(p, edges.fold(BESIDE * ground.scales.unit(i as u32), f64::max), found);
-            entries(&stations.all, p, &strips, ground.scales.at(i))
-        })
-        .collect();
+    let lists = parallel::map_with(ground.points.len(), |found, i| {
+        let p = ground.points[i];
+        let edges = ground.graph.of(i).iter().map(|&j| distance(p, ground.points[j as usize]));
+        let strips = near.of(p, edges.fold(BESIDE * ground.scales.unit(i as u32), f64::max), found);
+        entries(&stations.all, p, &strips, ground.scales.at(i))
+    });
     let mut beside = Beside { first: vec![0], ..Default::default() };
     for list in lists {
         beside.entries.extend(list);
@@ -139,21 +135,17 @@ fn directions(stations: &mut Stations, beside: &Beside, scales: Scales) {
     }
     let border = &stations.border;
     let first = &stations.first;
-    let found: Vec<[Option<[f64; 2]>; 2]> = (0..border.len())
-        .into_par_iter()
-        .flat_map_iter(|strip| {
-            let range = first[strip]..first[strip + 1];
-            let mut before: [Option<[f64; 2]>; 2] = [None; 2];
-            let (at, border) = (&at, border[strip]);
-            range.clone().map(move |s| {
-                let from = s.saturating_sub(WINDOW).max(range.start);
-                let window: Vec<([f64; 2], f64)> =
-                    at[from..range.end.min(s + WINDOW + 1)].iter().flatten().copied().collect();
-                before = ordered(two(&window, border), before);
-                before
-            })
-        })
-        .collect();
+    let found = parallel::flat_map(border.len(), |strip, found| {
+        let range = first[strip]..first[strip + 1];
+        let mut before: [Option<[f64; 2]>; 2] = [None; 2];
+        for s in range.clone() {
+            let from = s.saturating_sub(WINDOW).max(range.start);
+            let window: Vec<([f64; 2], f64)> =
+                at[from..range.end.min(s + WINDOW + 1)].iter().flatten().copied().collect();
+            before = ordered(two(&window, border[strip]), before);
+            found.push(before);
+        }
+    });
     for (station, leaves) in stations.all.iter_mut().zip(found) {
         station.leaves = leaves;
     }

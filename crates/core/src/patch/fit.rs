@@ -12,7 +12,7 @@ pub use surface::{Fit, Surface};
 
 use super::beside::Beside;
 use super::ground::Ground;
-use rayon::prelude::*;
+use crate::parallel;
 
 /// Greatest number of points to which a surface is fitted.
 const FITTED_POINTS: usize = 800;
@@ -27,7 +27,7 @@ const FREE: f64 = 0.15;
 
 /// The best surface of each patch. `normals` point outwards; local frame.
 pub fn fits(ground: &Ground, normals: &[[f64; 3]], members: &[Vec<u32>], beside: &Beside) -> Vec<Fit> {
-    members.par_iter().map(|patch| fit(ground, normals, patch, beside)).collect()
+    parallel::map(members.len(), |patch| fit(ground, normals, &members[patch], beside))
 }
 
 fn fit(ground: &Ground, normals: &[[f64; 3]], patch: &[u32], beside: &Beside) -> Fit {

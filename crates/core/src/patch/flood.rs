@@ -4,7 +4,7 @@ use super::beside::{Beside, Entry};
 use super::ground::{Ground, NO_PATCH};
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::{dot, norm, sub};
-use rayon::prelude::*;
+use crate::parallel;
 
 /// Fewest points of a patch.
 const FEWEST_POINTS: u32 = 6;
@@ -22,7 +22,7 @@ const ROUNDS: usize = 8;
 /// `(M)` the patch of each point; patches are numbered by their first point.
 pub fn flood(ground: &Ground, beside: &Beside) -> Vec<u32> {
     let count = ground.points.len();
-    let seam: Vec<bool> = (0..count).into_par_iter().map(|i| beside.on_seam(i)).collect();
+    let seam = parallel::map(count, |i| beside.on_seam(i));
     let mut sets = joined(ground, beside, &seam);
     let roots: Vec<u32> = (0..count as u32).map(|i| sets.find(i)).collect();
     let mut size = vec![0u32; count];
@@ -48,7 +48,7 @@ pub fn flood(ground: &Ground, beside: &Beside) -> Vec<u32> {
 fn joined(ground: &Ground, beside: &Beside, seam: &[bool]) -> UnionFind {
     let count = ground.points.len();
     let units = |i: usize| beside.clearance(i) / ground.scales.unit(i as u32);
-    let clear: Vec<f64> = (0..count).into_par_iter().map(|i| units(i).min(WIDTH_CAP * NOT_NARROW)).collect();
+    let clear = parallel::map(count, |i| units(i).min(WIDTH_CAP * NOT_NARROW));
     let mut sets = UnionFind::new(count);
     let mut narrow = Vec::new();
     for i in (0..count).filter(|&i| !seam[i]) {
@@ -95,12 +95,11 @@ fn crosses(a: &[Entry], b: &[Entry]) -> bool {
 /// Gives each point without a patch that of the neighbour with the nearest tangent plane, from the patches outwards.
 fn spread(ground: &Ground, beside: &Beside, label: &mut [u32]) {
     for _ in 0..ROUNDS {
-        let taken: Vec<(usize, u32)> = (0..label.len())
-            .into_par_iter()
-            .with_min_len(1024)
-            .filter(|&i| label[i] == NO_PATCH)
-            .filter_map(|i| best(ground, beside, label, i).map(|l| (i, l)))
-            .collect();
+        let taken = parallel::flat_map(label.len(), |i, taken| {
+            if label[i] == NO_PATCH {
+                taken.extend(best(ground, beside, label, i).map(|l| (i, l)));
+            }
+        });
         if taken.is_empty() {
             break;
         }

@@ -13,10 +13,10 @@ use crate::curve::pieces::{Free, Piece, Shape, rejoin};
 use crate::math::vec3::distance2;
 use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::network::{Network, Strip, StripKind};
+use crate::parallel;
 use crate::surface::Scales;
 use fitted::Fitted;
 use lengths::Lengths;
-use rayon::prelude::*;
 use solve::fit;
 use sweep::Sweep;
 
@@ -32,17 +32,25 @@ const LONG: f64 = 6.0;
 /// Fits the typed curves of creases with arcs to the faces beside them; local frame, sources as canonical indices.
 pub(crate) fn refit(network: &mut Network, points: &[[f64; 3]], graph: &Neighbors, scales: Scales) {
     let is_round = |p: &Piece| matches!(p.shape, Shape::Arc { .. } | Shape::Circle(_));
-    network.strips.par_iter_mut().for_each_init(Scratch::default, |scratch, strip| {
-        if strip.kind == StripKind::Crease && strip.curves.iter().any(is_round) {
-            let near = gather::near(strip, graph, scratch);
-            let near: Vec<[f64; 3]> = near.iter().map(|&i| points[i as usize]).collect();
-            one(strip, &near, Lengths::of(scales.finest(&strip.sources)));
+    let strips = &network.strips;
+    let moved = parallel::map_with(strips.len(), |scratch: &mut Scratch, s| {
+        let strip = &strips[s];
+        if strip.kind != StripKind::Crease || !strip.curves.iter().any(is_round) {
+            return None;
         }
+        let near = gather::near(strip, graph, scratch);
+        let near: Vec<[f64; 3]> = near.iter().map(|&i| points[i as usize]).collect();
+        one(strip, &near, Lengths::of(scales.finest(&strip.sources)))
     });
+    for (strip, moved) in network.strips.iter_mut().zip(moved) {
+        if let Some(moved) = moved {
+            strip.curves = moved;
+        }
+    }
 }
 
-/// Fits the pieces of a strip to the points near it.
-fn one(strip: &mut Strip, near: &[[f64; 3]], lengths: Lengths) {
+/// The pieces of a strip, fitted to the points near it; `None` if they do not join.
+fn one(strip: &Strip, near: &[[f64; 3]], lengths: Lengths) -> Option<Vec<Piece>> {
     let fitted: Vec<Option<Fitted>> = strip.curves.iter().map(|p| of_piece(p, near, lengths)).collect();
     let free: Vec<Free> = strip
         .curves
@@ -50,14 +58,14 @@ fn one(strip: &mut Strip, near: &[[f64; 3]], lengths: Lengths) {
         .zip(&fitted)
         .map(|(piece, f)| f.as_ref().map_or_else(|| Free::of(piece), |f| f.sweep.free()))
         .collect();
-    let Some(mut moved) = rejoin(&strip.curves, &free, strip.closed, lengths.spacing) else { return };
+    let mut moved = rejoin(&strip.curves, &free, strip.closed, lengths.spacing)?;
     for (piece, fitted) in moved.iter_mut().zip(&fitted) {
         if let Some(fitted) = fitted {
             piece.sigma = fitted.sigma();
             piece.deviation = deviation(piece, &strip.points);
         }
     }
-    strip.curves = moved;
+    Some(moved)
 }
 
 /// The edge along a piece, fitted to the points beside it; `None` where they do not show two faces.

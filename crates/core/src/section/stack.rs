@@ -21,10 +21,10 @@ use crate::cloud::Cloud;
 use crate::error::Error;
 use crate::frame::{Frame, Localised};
 use crate::neighbors::Index;
+use crate::parallel;
 use crate::params::SectionParams;
 use crate::section::result::Sections;
 use crate::section::surface::tiles::Tiles;
-use rayon::prelude::*;
 use runs::Found;
 
 pub use result::{Feature, Mirror, Repeat, Run, Stack};
@@ -63,7 +63,7 @@ pub(crate) fn of(
     let tracks = track::tracks(&levels, &heights, tolerance, params.missed, holds);
     // The runs of a track stay together until their ends are known.
     let mut found: Vec<Found> =
-        tracks.par_iter().flat_map_iter(|t| runs::runs(t, sections, tolerance)).collect();
+        parallel::flat_map(tracks.len(), |t, out| out.extend(runs::runs(&tracks[t], sections, tolerance)));
     ends::refine(local, index, tiles, sections, tolerance, &mut found);
     found.sort_by(|a, b| a.run.from.total_cmp(&b.run.from).then_with(|| a.run.contours.cmp(&b.run.contours)));
     let repeats = repeats::repeats(&found, tolerance);

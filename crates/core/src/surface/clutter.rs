@@ -12,8 +12,8 @@ use super::support::{Plane, supported};
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::distance;
 use crate::neighbors::Neighbors;
+use crate::parallel;
 use crate::resolution::Resolution;
-use rayon::prelude::*;
 
 /// Points with fewer others in one plane with them than this have no support.
 const SUPPORT: usize = 8;
@@ -56,15 +56,14 @@ pub(super) fn clutter(
     let reach: Vec<f32> = raw.iter().zip(spacing).map(|(&r, &s)| LINK * r.max(s)).collect();
     let mut clutter = pieces(points, nearest, &reach, &crowd, &deep);
     let scattered = clutter.iter().filter(|&&c| c).count();
-    let each = || (0..points.len()).into_par_iter().with_min_len(1024);
-    clutter =
-        each().map(|i| clutter[i] || (bare[i] && gaps[i] == 0.0 && raw[i] > ALONE * spacing[i])).collect();
+    let alone = |i: usize| bare[i] && gaps[i] == 0.0 && raw[i] > ALONE * spacing[i];
+    clutter = parallel::map(points.len(), |i| clutter[i] || alone(i));
     for _ in 0..ROUNDS {
         let [little, most] = [DRAWN.0, DRAWN.1].map(|share| where_share(nearest, &clutter, share));
-        clutter = each().map(|i| clutter[i] || most[i] || (bare[i] && little[i])).collect();
+        clutter = parallel::map(points.len(), |i| clutter[i] || most[i] || (bare[i] && little[i]));
     }
     let small = islands(points, nearest, &reach, &clutter);
-    clutter = each().map(|i| clutter[i] || small[i]).collect();
+    clutter = parallel::map(points.len(), |i| clutter[i] || small[i]);
     (clutter, scattered)
 }
 
@@ -74,7 +73,7 @@ fn where_share(nearest: &Neighbors, marked: &[bool], share: f64) -> Vec<bool> {
         let near = nearest.of(i);
         near.iter().filter(|&&j| marked[j as usize]).count() as f64 > share * near.len() as f64
     };
-    (0..marked.len()).into_par_iter().with_min_len(1024).map(over).collect()
+    parallel::map(marked.len(), over)
 }
 
 /// `(N)` whether each point belongs to a crowd that is clutter.

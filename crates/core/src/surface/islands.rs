@@ -4,34 +4,24 @@ use super::PIECE;
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::distance2;
 use crate::neighbors::Neighbors;
-use rayon::prelude::*;
+use crate::parallel;
 
 /// `(N)` whether each point lies in a piece of fewer than 24 points. Points that are `out` belong to no piece; two others belong
 /// to the same piece if one lists the other and they lie within the lesser of their reaches.
 pub(super) fn islands(points: &[[f64; 3]], nearest: &Neighbors, reach: &[f32], out: &[bool]) -> Vec<bool> {
     let links = Links { points, nearest, reach, out };
     // Nearly every point reaches enough others within two or three steps; for the few others the whole piece is counted.
-    let doubtful: Vec<bool> = (0..points.len())
-        .into_par_iter()
-        .with_min_len(1024)
-        .map_init(Vec::new, |seen, i| !out[i] && !links.reaches_enough(i, seen))
-        .collect();
+    let doubtful = parallel::map_with(points.len(), |seen, i| !out[i] && !links.reaches_enough(i, seen));
     if !doubtful.contains(&true) {
         return doubtful;
     }
     let mut sets = UnionFind::new(points.len());
-    let joined: Vec<(u32, u32)> = (0..points.len())
-        .into_par_iter()
-        .with_min_len(1024)
-        .filter(|&i| !out[i])
-        .flat_map_iter(|i| {
-            links
-                .of(i)
-                .filter(|&j| doubtful[i] || doubtful[j])
-                .map(move |j| (i as u32, j as u32))
-                .collect::<Vec<_>>()
-        })
-        .collect();
+    let joined = parallel::flat_map(points.len(), |i, joined| {
+        if !out[i] {
+            let doubtful = links.of(i).filter(|&j| doubtful[i] || doubtful[j]);
+            joined.extend(doubtful.map(|j| (i as u32, j as u32)));
+        }
+    });
     for (i, j) in joined {
         sets.union(i, j);
     }

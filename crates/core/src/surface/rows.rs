@@ -7,7 +7,7 @@ use super::support::{Plane, fitted};
 use crate::math::tensor::ellipsoid;
 use crate::math::vec3::{add_scaled, dot, norm, sub};
 use crate::neighbors::{Found, Index, Neighbors};
-use rayon::prelude::*;
+use crate::parallel;
 
 /// Ratio of the axes of a neighbourhood in its plane above which it is a piece of a row.
 const ELONGATED: f32 = 3.0;
@@ -21,20 +21,18 @@ const FARTHEST: f64 = 12.0;
 /// `(N)` distance from each point to the next row, smoothed; zero for points outside of rows, and in rows without another beside
 /// them.
 pub(super) fn gaps(points: &[[f64; 3]], nearest: &Neighbors, planes: &[Plane], spacing: &[f32]) -> Vec<f32> {
-    let long: Vec<bool> = planes.par_iter().map(|p| p.elongation > ELONGATED).collect();
-    let row = |&i: &u32| {
-        let near = nearest.of(i as usize);
+    let long = parallel::map(planes.len(), |i| planes[i].elongation > ELONGATED);
+    let row = |i: usize| {
+        let near = nearest.of(i);
         2 * near.iter().filter(|&&j| long[j as usize]).count() > near.len()
     };
-    let rows: Vec<u32> = (0..points.len() as u32).into_par_iter().filter(row).collect();
+    let rows = parallel::flat_map(points.len(), |i, rows| rows.extend(row(i).then_some(i as u32)));
     if rows.is_empty() {
         return vec![0.0; points.len()];
     }
     let index = Index::build(points);
-    let gaps: Vec<f64> = rows
-        .par_iter()
-        .map_init(Vec::new, |found, &i| gap(points, &index, nearest, spacing, i, found))
-        .collect();
+    let gaps =
+        parallel::map_with(rows.len(), |found, r| gap(points, &index, nearest, spacing, rows[r], found));
     smoothed(points.len(), nearest, &rows, &gaps)
 }
 
@@ -87,7 +85,7 @@ fn smoothed(count: usize, nearest: &Neighbors, rows: &[u32], gaps: &[f64]) -> Ve
         let middle = near.len() / 2;
         *near.select_nth_unstable_by(middle, f32::total_cmp).1
     };
-    let medians: Vec<f32> = rows.par_iter().map_init(Vec::new, median).collect();
+    let medians = parallel::map_with(rows.len(), median);
     let mut smoothed = vec![0.0; count];
     rows.iter().zip(medians).for_each(|(&i, m)| smoothed[i as usize] = m);
     smoothed

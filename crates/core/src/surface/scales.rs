@@ -6,8 +6,8 @@
 
 use crate::math::vec3::distance;
 use crate::neighbors::Neighbors;
+use crate::parallel;
 use crate::resolution::Resolution;
-use rayon::prelude::*;
 
 /// Ratio of the local spacing to the mean: up to the first the mean is used, above the second the local spacing.
 const EVEN: (f64, f64) = (1.25, 1.6);
@@ -95,7 +95,7 @@ pub(super) fn raw(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<f32> {
         let sum: f64 = six.iter().map(|&j| distance(points[i], points[j as usize])).sum();
         (sum / six.len().max(1) as f64) as f32
     };
-    (0..points.len()).into_par_iter().with_min_len(1024).map(own).collect()
+    parallel::map(points.len(), own)
 }
 
 /// `(N)` spacing at every point: the mean distance from its six nearest, smoothed over the neighbours in the lists.
@@ -106,23 +106,19 @@ pub fn spacings(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<f32> {
 /// Takes medians over the neighbours, twice.
 pub(super) fn smoothed(mut spacing: Vec<f32>, nearest: &Neighbors) -> Vec<f32> {
     for _ in 0..ROUNDS {
-        spacing = (0..spacing.len())
-            .into_par_iter()
-            .with_min_len(1024)
-            .map_init(Vec::new, |near, i| {
-                near.clear();
-                near.extend(nearest.of(i).iter().map(|&j| spacing[j as usize]).chain([spacing[i]]));
-                let middle = near.len() / 2;
-                *near.select_nth_unstable_by(middle, f32::total_cmp).1
-            })
-            .collect();
+        spacing = parallel::map_with(spacing.len(), |near: &mut Vec<f32>, i| {
+            near.clear();
+            near.extend(nearest.of(i).iter().map(|&j| spacing[j as usize]).chain([spacing[i]]));
+            let middle = near.len() / 2;
+            *near.select_nth_unstable_by(middle, f32::total_cmp).1
+        });
     }
     spacing
 }
 
 /// The spacings, with the mean of the cloud where they differ little from it.
 pub fn evened(spacing: &[f32], mean: Resolution) -> Vec<f32> {
-    spacing.par_iter().map(|&raw| blended(f64::from(raw), mean.spacing, EVEN) as f32).collect()
+    parallel::map(spacing.len(), |i| blended(f64::from(spacing[i]), mean.spacing, EVEN) as f32)
 }
 
 /// The spacing at a place: the mean up to a ratio of the first of `band` between it and `raw`, `raw` from the second on, and a

@@ -9,8 +9,8 @@ use crate::math::least_axis::least_axis;
 use crate::math::tensor::correlation;
 use crate::math::vec3::{dot, sub};
 use crate::neighbors::{Found, Index, Neighbors};
+use crate::parallel;
 use crate::resolution::Resolution;
-use rayon::prelude::*;
 
 /// Neighbours to which a plane is fitted, and whose planes are tried.
 const FITTED: usize = 8;
@@ -43,7 +43,7 @@ pub(super) fn planes(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<Plane> {
             elongation: elongation(&tensor, least) as f32,
         }
     };
-    (0..points.len()).into_par_iter().with_min_len(1024).map(fit).collect()
+    parallel::map(points.len(), fit)
 }
 
 /// The neighbours that the plane of point `i` is fitted to.
@@ -92,7 +92,7 @@ pub(super) fn supported(
         index.nearest(points[i], COUNTED + 1, found);
         gather(&mut found.iter().map(|f| f.index).filter(|&j| j as usize != i))
     };
-    (0..points.len()).into_par_iter().with_min_len(1024).map_init(Default::default, own).collect()
+    parallel::map_with(points.len(), own)
 }
 
 /// Whether one of the planes around point `i` holds it and at least `enough` of the places `near`, relative to it.

@@ -1,13 +1,12 @@
 //! The best direction of view: the one that shows most line and surface.
 
-use rayon::prelude::*;
-
 use super::camera::Camera;
 use super::depth_buffer::DepthBuffer;
 use super::hidden::is_visible;
 use super::scene::{Scene, Settings};
 use super::style::LINE_BIAS;
 use super::surfel::{Projected, Surfel};
+use crate::parallel;
 
 /// Side of the small trial pictures in pixels.
 const TRIAL: usize = 160;
@@ -28,13 +27,11 @@ pub(super) fn direction(scene: &Scene, settings: &Settings) -> [f64; 3] {
     let lines = edges(&surfels);
     let frame = Camera::looking(settings.up, [0.0, 1.0, 0.0]);
     let candidates: Vec<([f64; 3], f64)> = candidates(&frame);
-    let shown: Vec<[f64; 2]> = candidates
-        .par_iter()
-        .map(|&(from, weight)| {
-            let [area, length] = shown(&surfels, growth, &lines, from, scene, settings);
-            [area * weight, length * weight]
-        })
-        .collect();
+    let shown = parallel::map(candidates.len(), |c| {
+        let (from, weight) = candidates[c];
+        let [area, length] = shown(&surfels, growth, &lines, from, scene, settings);
+        [area * weight, length * weight]
+    });
     let most = |i: usize| shown.iter().map(|s| s[i]).fold(0.0, f64::max).max(f64::MIN_POSITIVE);
     let [most_area, most_length] = [most(0), most(1)];
     let score = |s: &[f64; 2]| s[0] / most_area + 2.0 * s[1] / most_length;

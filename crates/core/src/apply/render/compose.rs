@@ -1,7 +1,5 @@
 //! Puts a picture together: surface, dots, hidden lines, visible lines, nodes, caption.
 
-use rayon::prelude::*;
-
 use super::camera::{Camera, View};
 use super::depth_buffer::DepthBuffer;
 use super::hidden::{is_visible, stretches};
@@ -13,6 +11,7 @@ use super::surfel::Projected;
 use super::{best, caption, tone};
 use crate::error::Error;
 use crate::network::{Network, NodeKind, StripKind};
+use crate::parallel;
 
 /// Pixels of the surface for each pixel of the picture, in either direction; their average gives smooth outlines.
 const FINE: usize = 2;
@@ -27,7 +26,7 @@ pub fn render(scene: &Scene, settings: &Settings) -> Result<Picture, Error> {
     settings.check()?;
     scene.check()?;
     let camera = aim(scene, settings);
-    let projected: Vec<Projected> = scene.surfels.par_iter().map(|s| s.project(&camera)).collect();
+    let projected = parallel::map(scene.surfels.len(), |i| scene.surfels[i].project(&camera));
     let surface = DepthBuffer::draw(&projected, settings.width * FINE, settings.height * FINE);
     let spacing = (scene.spacing * camera.scale) as f32;
     let fine = tone::shaded(&projected, &surface, spacing);

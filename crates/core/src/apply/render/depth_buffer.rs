@@ -1,8 +1,7 @@
 //! The depth of the nearest surfel at every pixel.
 
-use rayon::prelude::*;
-
 use super::surfel::Projected;
+use crate::parallel;
 
 /// Depth and surfel of the front surface, one value for each pixel.
 pub(super) struct DepthBuffer {
@@ -31,14 +30,13 @@ impl DepthBuffer {
             surfel: vec![u32::MAX; width * height],
         };
         let bands = bands_of(surfels, height);
-        let depths = surface.depth.par_chunks_mut(BAND * width);
-        depths.zip(surface.surfel.par_chunks_mut(BAND * width)).zip(&bands).enumerate().for_each(
-            |(band, ((depth, ids), members))| {
-                for &id in members {
-                    draw_disc(&surfels[id as usize], id, band * BAND, width, depth, ids);
-                }
-            },
-        );
+        let depths = surface.depth.chunks_mut(BAND * width);
+        let pixels = depths.zip(surface.surfel.chunks_mut(BAND * width));
+        parallel::each(pixels.zip(&bands), |band, ((depth, ids), members)| {
+            for &id in members {
+                draw_disc(&surfels[id as usize], id, band * BAND, width, depth, ids);
+            }
+        });
         surface
     }
 

@@ -1,7 +1,5 @@
 //! Surfels: points as small discs.
 
-use rayon::prelude::*;
-
 use super::camera::Camera;
 use crate::error::Error;
 use crate::frame::{Frame, Localised};
@@ -9,6 +7,7 @@ use crate::math::eigen3::eigen3;
 use crate::math::tensor::scatter;
 use crate::math::vec3::{add, add_scaled, distance, dot, norm, scale, sub};
 use crate::neighbors::{BLOCK, mean_distance, nearest_blocks};
+use crate::parallel;
 
 /// A point with the disc that represents its part of the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,13 +62,13 @@ fn all(local: &Localised) -> (Vec<Surfel>, f64) {
     }
     let spacing = discs.iter().map(|d| d.1).sum::<f64>() / discs.len().max(1) as f64;
     let limit = GREATEST_RADIUS * median(discs.iter().map(|d| d.0.radius).collect());
-    let to_world = |(s, _): &(Surfel, f64)| Surfel {
+    let to_world = |s: &Surfel| Surfel {
         position: local.frame.to_world(s.position),
         center: local.frame.to_world(s.center),
         radius: s.radius.min(limit) * local.frame.scale,
         ..*s
     };
-    (discs.par_iter().map(to_world).collect(), spacing * local.frame.scale)
+    (parallel::map(discs.len(), |i| to_world(&discs[i].0)), spacing * local.frame.scale)
 }
 
 /// The disc of point `i`, in the plane fitted to it and its neighbours. At a border or an edge, where neighbours lie on one side

@@ -1,10 +1,9 @@
 //! Light and shade of the surface, and the dots on it.
 
-use rayon::prelude::*;
-
 use super::depth_buffer::DepthBuffer;
 use super::picture::{Colour, Picture};
 use super::surfel::Projected;
+use crate::parallel;
 
 /// Towards the light: over the left shoulder of the viewer. Unit length.
 const LIGHT: [f32; 3] = [-0.42, 0.50, 0.757];
@@ -26,16 +25,12 @@ const INK: Colour = [0.10, 0.13, 0.17];
 pub(super) fn shaded(surfels: &[Projected], surface: &DepthBuffer, spacing: f32) -> Vec<f32> {
     let range = depth_range(surface);
     let dotted = spacing >= DOTS_FROM;
-    let tones: Vec<f32> = surfels.par_iter().map(|s| tone(s, range)).collect();
-    let mut fine: Vec<f32> = surface
-        .surfel
-        .par_iter()
-        .map(|&id| match tones.get(id as usize) {
-            Some(&tone) if dotted => 1.0 - 0.55 * (1.0 - tone),
-            Some(&tone) => tone,
-            None => 1.0,
-        })
-        .collect();
+    let tones = parallel::map(surfels.len(), |i| tone(&surfels[i], range));
+    let mut fine = parallel::map(surface.surfel.len(), |at| match tones.get(surface.surfel[at] as usize) {
+        Some(&tone) if dotted => 1.0 - 0.55 * (1.0 - tone),
+        Some(&tone) => tone,
+        None => 1.0,
+    });
     if dotted {
         let radius = (0.22 * spacing).min(GREATEST_DOT);
         for (surfel, tone) in surfels.iter().zip(&tones) {
@@ -78,7 +73,7 @@ fn draw_dot(s: &Projected, radius: f32, tone: f32, surface: &DepthBuffer, fine: 
 /// The picture of tones averaged over blocks of `factor` x `factor`.
 pub(super) fn averaged(fine: &[f32], width: usize, height: usize, factor: usize) -> Picture {
     let mut picture = Picture { width, height, rgb: vec![0; 3 * width * height] };
-    picture.rgb.par_chunks_mut(3 * width).enumerate().for_each(|(y, row)| {
+    parallel::each(picture.rgb.chunks_mut(3 * width), |y, row| {
         for (x, pixel) in row.chunks_exact_mut(3).enumerate() {
             let block = (0..factor).flat_map(|dy| {
                 let start = (y * factor + dy) * width * factor + x * factor;

@@ -6,8 +6,8 @@
 use crate::math::vec3::{add_scaled, dot, norm, scale, sub};
 use crate::measure::Penalties;
 use crate::neighbors::{Neighbors, riemannian::Scratch};
+use crate::parallel;
 use crate::surface::Scales;
-use rayon::prelude::*;
 
 /// Certainty of direction below which a point is near a corner and has no direction of its own.
 pub(crate) const NO_DIRECTION: f64 = 0.5;
@@ -36,15 +36,10 @@ fn align(
     hops: impl Fn(usize) -> usize + Sync,
     reach: impl Fn(usize) -> f64 + Sync,
 ) {
-    let feet: Vec<[f64; 3]> = (0..penalties.len())
-        .into_par_iter()
-        .with_min_len(64)
-        .map_init(Scratch::default, |scratch, c| {
-            let i = penalties.points[c] as usize;
-            aligned(penalties, graph.hops(i, hops(i), scratch), c, reach(i))
-        })
-        .collect();
-    penalties.foot = feet;
+    penalties.foot = parallel::map_with(penalties.len(), |scratch: &mut Scratch, c| {
+        let i = penalties.points[c] as usize;
+        aligned(penalties, graph.hops(i, hops(i), scratch), c, reach(i))
+    });
 }
 
 fn aligned(penalties: &Penalties, near: &[u32], c: usize, reach: f64) -> [f64; 3] {

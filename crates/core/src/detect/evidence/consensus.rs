@@ -10,9 +10,9 @@ use crate::math::eigen3::eigen3;
 use crate::math::tensor::{add_product, centred, ellipsoid};
 use crate::math::vec3::{dot, sub};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
+use crate::parallel;
 use crate::resolution::Resolution;
 use crate::surface::Scales;
-use rayon::prelude::*;
 
 /// Neighbours of the small ellipsoid: with the point itself, the fewest that give a plane in spite of noise.
 const NEAREST: usize = 6;
@@ -53,43 +53,38 @@ pub fn consensus_normals(
     scales: Scales,
 ) -> Vec<[f32; 3]> {
     let rate = |i: usize| 0.5 / tolerance(scales.at(i)).powi(2);
-    let blocks = || (0..points.len()).into_par_iter().with_min_len(1024);
-    let own: Vec<[f32; 3]> = blocks()
-        .map_init(Scratch::default, |scratch, i| {
-            let near = graph.of(i);
-            let (all, rate) = (graph.hops(i, hops(i), scratch), rate(i));
-            let candidates =
-                [&near[..near.len().min(NEAREST)], all].map(|set| ellipsoid(points, i, set).axes.vectors[0]);
-            best(candidates.map(|n| (n, weight(points, i, all, rate, n))).into_iter()).0.map(|x| x as f32)
-        })
-        .collect();
-    blocks()
-        .map_init(Default::default, |(scratch, planes): &mut (Scratch, Vec<Plane>), i| {
-            let (hops, rate) = (hops(i), rate(i));
-            let all = graph.hops(i, hops, scratch);
-            let near = all.len();
-            planes.clear();
-            planes.extend([i as u32].iter().chain(graph.of(i)).map(|&j| {
-                let normal = own[j as usize].map(f64::from);
-                (normal, weight(points, i, all, rate, normal))
-            }));
-            let mut normal = best(planes.iter().copied()).0;
-            if let Some(rivals) = rivals(planes, near) {
-                let ring = &graph.hops(i, hops + 1, scratch)[near..];
-                normal = best(
-                    rivals
-                        .map(|(n, w)| (n, w + SECOND_RING_WEIGHT * weight(points, i, ring, rate, n)))
-                        .into_iter(),
-                )
-                .0;
-            }
-            let all = graph.hops(i, hops, scratch);
-            for _ in 0..REFINEMENTS {
-                normal = refined(points, i, all, rate, normal);
-            }
-            normal.map(|x| x as f32)
-        })
-        .collect()
+    let own = parallel::map_with(points.len(), |scratch: &mut Scratch, i| {
+        let near = graph.of(i);
+        let (all, rate) = (graph.hops(i, hops(i), scratch), rate(i));
+        let candidates =
+            [&near[..near.len().min(NEAREST)], all].map(|set| ellipsoid(points, i, set).axes.vectors[0]);
+        best(candidates.map(|n| (n, weight(points, i, all, rate, n))).into_iter()).0.map(|x| x as f32)
+    });
+    parallel::map_with(points.len(), |(scratch, planes): &mut (Scratch, Vec<Plane>), i| {
+        let (hops, rate) = (hops(i), rate(i));
+        let all = graph.hops(i, hops, scratch);
+        let near = all.len();
+        planes.clear();
+        planes.extend([i as u32].iter().chain(graph.of(i)).map(|&j| {
+            let normal = own[j as usize].map(f64::from);
+            (normal, weight(points, i, all, rate, normal))
+        }));
+        let mut normal = best(planes.iter().copied()).0;
+        if let Some(rivals) = rivals(planes, near) {
+            let ring = &graph.hops(i, hops + 1, scratch)[near..];
+            normal = best(
+                rivals
+                    .map(|(n, w)| (n, w + SECOND_RING_WEIGHT * weight(points, i, ring, rate, n)))
+                    .into_iter(),
+            )
+            .0;
+        }
+        let all = graph.hops(i, hops, scratch);
+        for _ in 0..REFINEMENTS {
+            normal = refined(points, i, all, rate, normal);
+        }
+        normal.map(|x| x as f32)
+    })
 }
 
 /// A unit normal and the weight of the neighbours in its plane.

@@ -7,8 +7,8 @@
 use super::consensus::{NEGLIGIBLE, bell, consensus_normals, tolerance};
 use crate::math::vec3::{add_scaled, dot, sub, unit};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
+use crate::parallel;
 use crate::surface::Scales;
-use rayon::prelude::*;
 
 /// Passes of bilateral averaging: the first moves most normals to one side, the second those left in between.
 const PASSES: usize = 2;
@@ -53,25 +53,24 @@ fn pass(
     from: &Normals,
 ) -> Normals {
     let angle_rate = 1.0 / (1.0 - GATE_DEG.to_radians().cos());
-    let rows =
-        (0..points.len()).into_par_iter().with_min_len(1024).map_init(Scratch::default, |scratch, i| {
-            let own = from.vectors[i].map(f64::from);
-            let (mut sum, mut total) = (own, 1.0);
-            let offset_rate = 0.5 / tolerance(scales.at(i)).powi(2);
-            let neighbors = graph.hops(i, hops(i), scratch);
-            for &j in neighbors {
-                let other = from.vectors[j as usize].map(f64::from);
-                let cosine = dot(own, other);
-                let offset = dot(own, sub(points[j as usize], points[i]));
-                let exponent = (1.0 - cosine.abs()) * angle_rate + offset * offset * offset_rate;
-                if exponent < NEGLIGIBLE {
-                    let weight = bell(exponent);
-                    sum = add_scaled(sum, other, weight * cosine.signum());
-                    total += weight;
-                }
+    let rows = parallel::map_with(points.len(), |scratch: &mut Scratch, i| {
+        let own = from.vectors[i].map(f64::from);
+        let (mut sum, mut total) = (own, 1.0);
+        let offset_rate = 0.5 / tolerance(scales.at(i)).powi(2);
+        let neighbors = graph.hops(i, hops(i), scratch);
+        for &j in neighbors {
+            let other = from.vectors[j as usize].map(f64::from);
+            let cosine = dot(own, other);
+            let offset = dot(own, sub(points[j as usize], points[i]));
+            let exponent = (1.0 - cosine.abs()) * angle_rate + offset * offset * offset_rate;
+            if exponent < NEGLIGIBLE {
+                let weight = bell(exponent);
+                sum = add_scaled(sum, other, weight * cosine.signum());
+                total += weight;
             }
-            (unit(sum).map(|x| x as f32), (total / (neighbors.len() + 1) as f64) as f32)
-        });
-    let (vectors, support) = rows.unzip();
+        }
+        (unit(sum).map(|x| x as f32), (total / (neighbors.len() + 1) as f64) as f32)
+    });
+    let (vectors, support) = rows.into_iter().unzip();
     Normals { vectors, support }
 }

@@ -11,8 +11,8 @@ use crate::math::tensor::{Ellipsoid, ellipsoid};
 use crate::math::vec3::{dot, scale};
 use crate::measure::{Direction, Measure, Penalties, Row};
 use crate::neighbors::{Neighbors, mean_distance, riemannian::Scratch};
+use crate::parallel;
 use crate::params::PenaltyParams;
-use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// The values at a point that do not depend on the greatest curvature.
@@ -81,13 +81,9 @@ fn at_every_point<R: Send>(
     hops: usize,
     of: impl Fn(&[[f64; 3]], &Neighbors, usize, &[u32], &mut Vec<f64>) -> R + Sync,
 ) -> Vec<R> {
-    (0..points.len())
-        .into_par_iter()
-        .with_min_len(1024)
-        .map_init(Default::default, |(scratch, angles): &mut (Scratch, Vec<f64>), i| {
-            of(points, graph, i, graph.hops(i, hops, scratch), angles)
-        })
-        .collect()
+    parallel::map_with(points.len(), |(scratch, angles): &mut (Scratch, Vec<f64>), i| {
+        of(points, graph, i, graph.hops(i, hops, scratch), angles)
+    })
 }
 
 fn point(points: &[[f64; 3]], graph: &Neighbors, i: usize, near: &[u32], angles: &mut Vec<f64>) -> Point {

@@ -25,9 +25,9 @@ use crate::detect::evidence::sides::Sides;
 use crate::detect::evidence::surroundings::Surroundings;
 use crate::measure::{Direction, Measure, Penalties, Row};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
+use crate::parallel;
 use crate::params::PenaltyParams;
 use crate::surface::Scales;
-use rayon::prelude::*;
 
 /// Points that a thread takes at a time.
 const BLOCK: usize = 1024;
@@ -101,14 +101,11 @@ pub fn borders(points: &[[f64; 3]], graph: &Neighbors, scales: Scales, params: &
 
 /// Calls `of` with every point, block by block, in parallel.
 fn blocks(count: usize, of: impl Fn(usize, &mut Buffers, &mut Block) + Sync) -> Vec<Block> {
-    (0..count.div_ceil(BLOCK))
-        .into_par_iter()
-        .map_init(Buffers::default, |buffers, b| {
-            let mut block = Block::default();
-            (b * BLOCK..((b + 1) * BLOCK).min(count)).for_each(|i| of(i, buffers, &mut block));
-            block
-        })
-        .collect()
+    parallel::map_with(count.div_ceil(BLOCK), |buffers, b| {
+        let mut block = Block::default();
+        (b * BLOCK..((b + 1) * BLOCK).min(count)).for_each(|i| of(i, buffers, &mut block));
+        block
+    })
 }
 
 /// The score of a point, and its rows if it is a candidate.

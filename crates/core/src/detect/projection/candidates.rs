@@ -23,9 +23,9 @@ use crate::detect::penalty::{densities, derive};
 use crate::math::vec3::{dot, norm, sub};
 use crate::measure::{Direction, Measure, Penalties, Row};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
+use crate::parallel;
 use crate::params::{Auto, Params, PenaltyParams};
 use crate::resolution::Resolution;
-use rayon::prelude::*;
 
 /// Share of the threshold that makes a point a candidate.
 const CANDIDATE_SHARE: f64 = 0.25;
@@ -70,7 +70,8 @@ type Candidate = (u32, Option<Row>, Option<Row>);
 /// The candidates of creases where the surface folds, and those of borders, ascending, with their penalties.
 fn rows(surroundings: &Surroundings, marks: &Marks, params: &PenaltyParams) -> Vec<Candidate> {
     let Surroundings { points, graph, scales, least_fold, .. } = surroundings;
-    let row = |(scratch, section, angles): &mut (Scratch, CrossSection, Vec<f64>), i| {
+    type Buffers = (Scratch, CrossSection, Vec<f64>);
+    parallel::flat_map_with(points.len(), |(scratch, section, angles): &mut Buffers, i, out| {
         let hops = surroundings.hops(i).max(2);
         let wide = graph.hops(i, hops, scratch);
         let border = may_be_border(points, i, graph.of(i))
@@ -79,7 +80,7 @@ fn rows(surroundings: &Surroundings, marks: &Marks, params: &PenaltyParams) -> V
         let score = f64::from(marks.score[i]);
         let is_crease = score > CANDIDATE_SHARE * marks.threshold;
         if !is_crease && border.is_none() {
-            return None;
+            return;
         }
         let sides = Sides::around(surroundings, i, graph.hops(i, hops - 1, scratch));
         let fold = sides.fold();
@@ -88,10 +89,8 @@ fn rows(surroundings: &Surroundings, marks: &Marks, params: &PenaltyParams) -> V
         let crease = (is_crease && fold > FOLDED * least_fold)
             .then(|| crease(surroundings, i, &sides, penalty, wide, section))
             .flatten();
-        Some((i as u32, crease, border.filter(|_| fold < HIDING_FOLD)))
-    };
-    let every = (0..points.len()).into_par_iter().with_min_len(1024);
-    every.map_init(Default::default, row).collect::<Vec<Option<Candidate>>>().into_iter().flatten().collect()
+        out.push((i as u32, crease, border.filter(|_| fold < HIDING_FOLD)));
+    })
 }
 
 /// Whether the point is on the ridge of the score: no neighbour with a foot beside it, across the line, has a higher score (or

@@ -3,7 +3,7 @@
 use super::segmentation::Segmentation;
 use crate::math::vec3::{dot, sub};
 use crate::neighbors::Neighbors;
-use rayon::prelude::*;
+use crate::parallel;
 
 /// Rounds of absorbing neighbours: the depth, in edges, of the band between two faces.
 const ROUNDS: usize = 6;
@@ -18,12 +18,11 @@ pub fn absorb(
     graph: &Neighbors,
 ) -> Segmentation {
     for _ in 0..ROUNDS {
-        let taken: Vec<(usize, u32)> = (0..points.len())
-            .into_par_iter()
-            .with_min_len(1024)
-            .filter(|&i| !segments.large[segments.label[i] as usize])
-            .filter_map(|i| best(&segments, points, normals, graph.of(i), i).map(|label| (i, label)))
-            .collect();
+        let taken = parallel::flat_map(points.len(), |i, taken| {
+            if !segments.large[segments.label[i] as usize] {
+                taken.extend(best(&segments, points, normals, graph.of(i), i).map(|label| (i, label)));
+            }
+        });
         if taken.is_empty() {
             break;
         }

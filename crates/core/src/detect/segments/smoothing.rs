@@ -9,7 +9,7 @@ use super::segmentation::Segmentation;
 use crate::math::tensor::ellipsoid;
 use crate::math::vec3::{add_scaled, dot, sub};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
-use rayon::prelude::*;
+use crate::parallel;
 
 /// Greatest number of rounds of smoothing.
 pub const ROUNDS: usize = 3;
@@ -24,24 +24,16 @@ pub fn too_noisy(segments: &Segmentation, k: usize) -> bool {
 
 /// The points, each moved to the least-squares plane of its neighbours.
 pub fn smoothed(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<[f64; 3]> {
-    (0..points.len())
-        .into_par_iter()
-        .with_min_len(1024)
-        .map(|i| {
-            let plane = ellipsoid(points, i, nearest.of(i));
-            let normal = plane.axes.vectors[0];
-            add_scaled(points[i], normal, dot(normal, sub(plane.centre, points[i])))
-        })
-        .collect()
+    parallel::map(points.len(), |i| {
+        let plane = ellipsoid(points, i, nearest.of(i));
+        let normal = plane.axes.vectors[0];
+        add_scaled(points[i], normal, dot(normal, sub(plane.centre, points[i])))
+    })
 }
 
 /// `(N, 3)` normals of the least-squares planes through all points within `depth` edges of the rings.
 pub fn wide_normals(points: &[[f64; 3]], rings: &Neighbors, depth: usize) -> Vec<[f32; 3]> {
-    (0..points.len())
-        .into_par_iter()
-        .with_min_len(1024)
-        .map_init(Scratch::default, |scratch, i| {
-            ellipsoid(points, i, rings.hops(i, depth, scratch)).axes.vectors[0].map(|x| x as f32)
-        })
-        .collect()
+    parallel::map_with(points.len(), |scratch: &mut Scratch, i| {
+        ellipsoid(points, i, rings.hops(i, depth, scratch)).axes.vectors[0].map(|x| x as f32)
+    })
 }

@@ -3,6 +3,7 @@
 use crate::math::vec3::{add_scaled, dot, norm, scale, sub};
 use crate::measure::{Direction, Penalties};
 use crate::neighbors::{Neighbors, riemannian::Scratch};
+use crate::parallel;
 use crate::surface::Scales;
 use rayon::prelude::*;
 
@@ -30,21 +31,15 @@ pub(crate) fn candidate_edges(
     tau: f64,
     hops: usize,
 ) -> Vec<Candidate> {
-    let mut edges: Vec<Candidate> = (0..penalties.len())
-        .into_par_iter()
-        .with_min_len(256)
-        .map_init(Scratch::default, |scratch, a| {
-            let own = penalties.points[a];
-            let near = graph.hops(own as usize, hops, scratch).iter().filter(|&&other| other > own);
-            let edges = near.filter_map(|other| {
-                let b = penalties.points.binary_search(other).ok()?;
-                let density = [own, *other].map(|i| f64::from(density[i as usize]));
-                weigh(penalties, a, b, density, scales.between(own, *other), tau)
-            });
-            edges.collect::<Vec<_>>()
-        })
-        .flatten_iter()
-        .collect();
+    let mut edges = parallel::flat_map_with(penalties.len(), |scratch: &mut Scratch, a, edges| {
+        let own = penalties.points[a];
+        let near = graph.hops(own as usize, hops, scratch).iter().filter(|&&other| other > own);
+        edges.extend(near.filter_map(|other| {
+            let b = penalties.points.binary_search(other).ok()?;
+            let density = [own, *other].map(|i| f64::from(density[i as usize]));
+            weigh(penalties, a, b, density, scales.between(own, *other), tau)
+        }));
+    });
     edges.par_sort_unstable_by(order);
     edges
 }

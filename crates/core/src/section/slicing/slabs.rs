@@ -1,6 +1,6 @@
 //! Which points each slab holds (section 2).
 
-use rayon::prelude::*;
+use crate::parallel;
 
 /// The members of each slab, ascending: lists one after the other, and where each begins.
 pub(crate) struct Slabs {
@@ -9,18 +9,19 @@ pub(crate) struct Slabs {
 }
 
 impl Slabs {
-    /// Sorts members by the heights that they span into the slabs that reach `half` to either side of ascending `planes`; slabs
-    /// may overlap.
+    /// Sorts `count` members by the heights that they span into the slabs that reach `half` to either side of ascending `planes`;
+    /// slabs may overlap.
     pub(crate) fn of(
-        spans: impl IndexedParallelIterator<Item = (f64, f64)>,
+        count: usize,
+        span: impl Fn(usize) -> (f64, f64) + Sync,
         planes: &[f64],
         half: f64,
     ) -> Self {
-        let range = |(low, high): (f64, f64)| {
+        let ranges = parallel::map(count, |i| {
+            let (low, high) = span(i);
             let first = planes.partition_point(|&z| z < low - half);
             (first, planes[first..].iter().take_while(|&&z| z <= high + half).count())
-        };
-        let ranges: Vec<(usize, usize)> = spans.map(range).collect();
+        });
         let mut starts = vec![0usize; planes.len() + 1];
         for &(first, count) in &ranges {
             starts[first + 1..first + 1 + count].iter_mut().for_each(|s| *s += 1);
@@ -58,11 +59,11 @@ mod tests {
 
     #[test]
     fn slabs_hold_what_comes_within_their_half_thickness() {
-        let span = |i: u32| (f64::from(i * 37 % 100) / 10.0, f64::from(i * 37 % 100 + i % 3) / 10.0);
+        let span = |i: usize| ((i * 37 % 100) as f64 / 10.0, (i * 37 % 100 + i % 3) as f64 / 10.0);
         let planes = [-3.0, 2.0, 2.5, 9.0];
-        let slabs = Slabs::of((0..100).into_par_iter().map(span), &planes, 1.0);
+        let slabs = Slabs::of(100, span, &planes, 1.0);
         for (plane, z) in planes.iter().enumerate() {
-            let near = |&i: &u32| span(i).0 <= z + 1.0 && span(i).1 >= z - 1.0;
+            let near = |&i: &u32| span(i as usize).0 <= z + 1.0 && span(i as usize).1 >= z - 1.0;
             assert_eq!(slabs.of_plane(plane), (0..100).filter(near).collect::<Vec<u32>>());
         }
     }

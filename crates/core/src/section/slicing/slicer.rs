@@ -2,14 +2,13 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-use rayon::prelude::*;
-
 use super::planes::{self, Cut};
 use super::slabs::Slabs;
 use super::{adaptive, direction, level};
 use crate::error::Error;
 use crate::frame::Localised;
 use crate::neighbors::Index;
+use crate::parallel;
 use crate::params::section::{Outline, Planes, Side, Zero};
 use crate::params::{Auto, SectionParams};
 use crate::section::frame::SliceFrame;
@@ -120,18 +119,19 @@ impl<'a> Slicer<'a> {
         order.sort_by(|&a, &b| heights[a].total_cmp(&heights[b]).then(a.cmp(&b)));
         let ascending: Vec<f64> = order.iter().map(|&k| (heights[k] - self.base) / self.scale).collect();
         let tiles = &self.tiles.tiles;
-        let slabs = Slabs::of(tiles.par_iter().map(|t| t.heights), &ascending, self.half());
+        let slabs = Slabs::of(tiles.len(), |t| tiles[t].heights, &ascending, self.half());
         let wanted = slabs.union(tiles.len());
         let (points, noise) = (&self.local.positions, self.texture.noise);
         let planes = tangent_planes(points, self.index, &self.tiles, &wanted, noise);
         let done = AtomicUsize::new(0);
-        let cut = |(slot, &plane): (usize, &usize)| {
+        let cut = |slot: usize| {
+            let plane = order[slot];
             let place = Place { plane, height: heights[plane], local: ascending[slot] };
             let section = self.section(slabs.of_plane(slot), &planes, place);
             (self.observe)((done.fetch_add(1, Relaxed) + 1) as f64 / order.len() as f64);
             section
         };
-        let mut sections: Vec<Section> = order.par_iter().enumerate().map(cut).collect();
+        let mut sections = parallel::map(order.len(), cut);
         sections.sort_by_key(|s| s.plane);
         sections
     }

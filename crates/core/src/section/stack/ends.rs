@@ -16,13 +16,12 @@ mod search;
 mod size;
 mod split;
 
-use rayon::prelude::*;
-
 use super::kinds::outlines::{CLEAR_OF_FOLD, upright_deg};
 use super::result::Feature;
 use super::runs::Found;
 use crate::frame::Localised;
 use crate::neighbors::Index;
+use crate::parallel;
 use crate::section::result::Sections;
 use crate::section::surface::tiles::Tiles;
 use end::{By, End};
@@ -41,13 +40,11 @@ pub(super) fn refine(
     tolerance: f64,
     runs: &mut Vec<Found>,
 ) {
-    let sizes: Vec<Size> = runs.par_iter().map(|r| Size::new(r, sections.spacing, tolerance)).collect();
+    let sizes = parallel::map(runs.len(), |r| Size::new(&runs[r], sections.spacing, tolerance));
     let searches: Vec<Search> =
         runs.iter().zip(&sizes).flat_map(|(r, size)| searches(r, size, sections)).collect();
     let near = Ground::new(local, index, tiles, sections).near(&searches);
-    let found = searches.par_iter().zip(&near).enumerate();
-    let mut ends: Vec<Option<End>> =
-        found.map(|(k, (search, spots))| end(search, spots, &sizes[k / 2], sections)).collect();
+    let mut ends = parallel::map(searches.len(), |k| end(&searches[k], &near[k], &sizes[k / 2], sections));
     let rims: Vec<bool> = ends.iter().map(|e| e.is_some_and(|e| e.by == By::Rim)).collect();
     for k in 1..runs.len() {
         if runs[k - 1].joins_next {

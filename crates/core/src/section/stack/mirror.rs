@@ -1,13 +1,12 @@
 //! Symmetrical parts (Kyriazis et al., section 1): mirror planes along the axis, through the centroid of the whole stack, at the angles for which the contours lie on
 //! their own images.
 
-use rayon::prelude::*;
-
 use super::profile::Profile;
 use super::result::Mirror;
 use super::slice::Slice;
 use crate::math::vec2::{along, distance, dot, left, sub};
 use crate::math::vec3;
+use crate::parallel;
 use crate::section::result::Sections;
 
 /// Number of angles that are tried first, over half a turn.
@@ -36,7 +35,8 @@ pub(super) fn mirrors(levels: &[Vec<Profile>], sections: &Sections, tolerance: f
         let residual = worst(&all_slices, centre, angle, POINTS, enough);
         (residual <= enough).then_some((residual, angle))
     };
-    let mut found: Vec<(f64, f64)> = candidates(&off, enough).into_par_iter().filter_map(sure).collect();
+    let candidates = candidates(&off, enough);
+    let mut found = parallel::flat_map(candidates.len(), |c, found| found.extend(sure(candidates[c])));
     found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
     found.truncate(MOST_MIRRORS);
     let mirror = |(residual, angle): (f64, f64)| {
@@ -54,15 +54,14 @@ pub(super) fn mirrors(levels: &[Vec<Profile>], sections: &Sections, tolerance: f
 /// The angles at which mirrored contours come nearest, and near enough.
 fn candidates(off: &(impl Fn(f64) -> f64 + Sync), enough: f64) -> Vec<f64> {
     let step = std::f64::consts::PI / ANGLES as f64;
-    let coarse: Vec<f64> = (0..ANGLES).into_par_iter().map(|k| off(k as f64 * step)).collect();
+    let coarse = parallel::map(ANGLES, |k| off(k as f64 * step));
     let lowest = |k: &usize| {
         let (before, after) = (coarse[(k + ANGLES - 1) % ANGLES], coarse[(k + 1) % ANGLES]);
         coarse[*k] < before && coarse[*k] <= after
     };
     let lows: Vec<usize> = (0..ANGLES).filter(lowest).collect();
-    let fine = |k: usize| least(off, k as f64 * step, step);
-    let near = lows.into_par_iter().map(fine).filter(|(_, residual)| *residual <= 1.5 * enough);
-    near.map(|(angle, _)| angle).collect()
+    let fine = parallel::map(lows.len(), |l| least(off, lows[l] as f64 * step, step));
+    fine.into_iter().filter(|(_, residual)| *residual <= 1.5 * enough).map(|(angle, _)| angle).collect()
 }
 
 /// Centroid of the area of all slices, holes taken off: a mirror must hold it.

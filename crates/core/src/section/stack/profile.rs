@@ -1,11 +1,10 @@
 //! Closed contours in the coordinates of the slices, measured for comparison.
 
-use rayon::prelude::*;
-
 use crate::curve::circle::Circle;
 use crate::curve::polygon;
 use crate::curve::polyline::Polyline;
 use crate::math::vec2::{along, sub};
+use crate::parallel;
 use crate::section::result::Sections;
 
 /// Most points of a contour that comparisons look at, about evenly along it.
@@ -60,11 +59,11 @@ pub(super) fn order(sections: &Sections) -> Vec<usize> {
 
 /// The closed contours of each plane.
 pub(super) fn levels(sections: &Sections, order: &[usize], tolerance: f64) -> Vec<Vec<Profile>> {
-    let level = |&plane: &usize| {
+    parallel::map(order.len(), |k| {
+        let plane = order[k];
         let contours = sections.sections[plane].contours.iter().enumerate();
         contours.filter(|(_, c)| c.closed).map(|(i, _)| profile(sections, plane, i, tolerance)).collect()
-    };
-    order.par_iter().map(level).collect()
+    })
 }
 
 fn profile(sections: &Sections, plane: usize, index: usize, tolerance: f64) -> Profile {

@@ -3,14 +3,13 @@
 //! The points of a flat tile share its plane; the others have one each. A point beside a crease adopts the plane of a
 //! neighbour on its own face, so that a wall stays straight up to its edge.
 
-use rayon::prelude::*;
-
 use super::plane::{Around, FIRST_NEIGHBORS, MOST_NEIGHBORS, TangentPlane};
 use super::sample::with_neighbors;
 use super::tile::{Tile, good};
 use super::tiles::Tiles;
 use crate::math::vec3;
 use crate::neighbors::{Index, WIDTH, nearest_leaves};
+use crate::parallel;
 
 /// No planes.
 const NO_PLANES: u32 = u32::MAX;
@@ -105,16 +104,15 @@ fn adopt_all<'a>(
 ) -> TangentPlanes<'a> {
     own.planes.reserve_exact(fits.iter().map(|f| f.planes.len()).sum());
     fits.iter().for_each(|f| own.planes.extend_from_slice(&f.planes));
-    let better = |fits: &Fits| {
+    let better = parallel::map(fits.len(), |f| {
         let mut start = 0;
         let visit = |&(i, count): &(u32, u32)| {
-            let ids = &fits.near[start..start + count as usize];
+            let ids = &fits[f].near[start..start + count as usize];
             start += count as usize;
             adopt(points, &own, i, ids, noise).map(|plane| (i, plane))
         };
-        fits.bad.iter().filter_map(visit).collect::<Vec<(u32, TangentPlane)>>()
-    };
-    let better: Vec<Vec<(u32, TangentPlane)>> = fits.par_iter().map(better).collect();
+        fits[f].bad.iter().filter_map(visit).collect::<Vec<(u32, TangentPlane)>>()
+    });
     for &(i, plane) in better.iter().flatten() {
         let (leaf, place) = own.tiles.place(i);
         own.planes[own.starts[leaf] as usize - own.tiles.planes.len() + place] = plane;

@@ -1,17 +1,13 @@
 //! All leaves of the index as tiles, fitted block by block. On a large cloud nearly all are flat, which costs a hundredth of
 //! a plane for each point.
 
-use rayon::prelude::*;
-
 use super::mixed::{Mixed, mixed};
 use super::plane::TangentPlane;
 use super::quad::settle;
 use super::spread::Spread;
 use super::tile::Tile;
-use crate::neighbors::{BLOCK, Index, Leaf, WIDTH};
-
-/// The places of the points of a block, its tiles and its leaves.
-type Block<'a> = ((&'a mut [u16], &'a mut [Tile]), &'a [Leaf]);
+use crate::neighbors::{BLOCK, Index, WIDTH};
+use crate::parallel;
 
 /// All leaves of an index.
 pub(crate) struct Tiles {
@@ -29,31 +25,28 @@ impl Tiles {
     /// Fits every leaf; heights run along `axis`, a unit vector.
     pub(crate) fn new(index: &Index, noise: f64, axis: [f64; 3]) -> Self {
         let mut places = vec![0; index.len()];
-        // Filled by all threads, since the first touch of new memory costs most.
-        let mut tiles: Vec<Tile> = index.leaves.par_iter().map(|_| Tile::EMPTY).collect();
-        let block = |scratch: &mut Vec<Spread>, ((places, tiles), leaves): Block| {
+        let mut tiles = parallel::filled(index.leaves.len(), Tile::EMPTY);
+        let blocks = places.chunks_mut(BLOCK).zip(tiles.chunks_mut(BLOCK / WIDTH));
+        let blocks = blocks.zip(index.leaves.chunks(BLOCK / WIDTH));
+        let planes = parallel::each(blocks, |_, ((places, tiles), leaves)| {
             for (l, leaf) in leaves.iter().enumerate() {
                 for (lane, id) in leaf.ids().enumerate() {
                     places[id as usize % BLOCK] = (l * WIDTH + lane) as u16;
                 }
             }
-            scratch.clear();
+            let mut spreads: Vec<Spread> = Vec::with_capacity(leaves.len());
             for (leaf, tile) in leaves.iter().zip(&mut *tiles) {
                 let (own, spread) = Tile::new(leaf, noise, axis);
                 *tile = own;
-                scratch.push(spread);
+                spreads.push(spread);
             }
-            settle(leaves, tiles, scratch, noise)
-        };
-        let blocks = places.par_chunks_mut(BLOCK).zip(tiles.par_chunks_mut(BLOCK / WIDTH));
-        let blocks = blocks.zip(index.leaves.par_chunks(BLOCK / WIDTH));
-        let planes: Vec<Vec<TangentPlane>> = blocks.map_init(Vec::new, block).collect();
-        let blocks = tiles.par_chunks(BLOCK / WIDTH).zip(index.leaves.par_chunks(BLOCK / WIDTH)).enumerate();
-        let beside = |(b, (tiles, leaves)): (usize, (&[Tile], &[Leaf]))| {
+            settle(leaves, tiles, &spreads, noise)
+        });
+        let blocks = tiles.chunks(BLOCK / WIDTH).zip(index.leaves.chunks(BLOCK / WIDTH));
+        let found: Vec<Vec<Mixed>> = parallel::each(blocks, |b, (tiles, leaves)| {
             let near = &planes[b.saturating_sub(1)..(b + 2).min(planes.len())];
             mixed(leaves, (b * (BLOCK / WIDTH)) as u32, tiles, near, noise)
-        };
-        let found: Vec<Vec<Mixed>> = blocks.map(beside).collect();
+        });
         let (mut mixed, mut planes) = (Vec::new(), Vec::new());
         for own in found.into_iter().flatten() {
             mixed.push(own.leaf);

@@ -1,12 +1,11 @@
 //! The points beside an outline between two heights, with the planes of the surface there. A sample of the index's leaves
 //! is enough, and only those among them that are not flat get planes of their own points.
 
-use rayon::prelude::*;
-
 use super::search::{Search, inside};
 use crate::frame::Localised;
 use crate::math::vec3;
 use crate::neighbors::Index;
+use crate::parallel;
 use crate::section::result::Sections;
 use crate::section::surface::plane::TangentPlane;
 use crate::section::surface::tangents::tangent_planes;
@@ -67,22 +66,22 @@ impl<'a> Ground<'a> {
 
     /// The points that each search looks at, going away from its slice.
     pub(super) fn near(&self, searches: &[Search]) -> Vec<Vec<Spot>> {
-        let leaves: Vec<Vec<u32>> = searches.par_iter().map(|s| self.leaves(s)).collect();
+        let leaves = parallel::map(searches.len(), |s| self.leaves(&searches[s]));
         let mut wanted: Vec<u32> = leaves.iter().flatten().copied().collect();
         wanted.sort_unstable();
         wanted.dedup();
         let planes =
             tangent_planes(&self.local.positions, self.index, self.tiles, &wanted, self.sections.noise);
-        let spots = |(search, leaves): (&Search, &Vec<u32>)| {
-            let ids = leaves.iter().flat_map(|&l| self.index.leaves[l as usize].ids());
+        parallel::map(searches.len(), |s| {
+            let search = &searches[s];
+            let ids = leaves[s].iter().flat_map(|&l| self.index.leaves[l as usize].ids());
             let mut spots: Vec<(u32, Spot)> =
                 ids.filter_map(|i| Some((i, self.spot(search, i, planes.at(i)?)?))).collect();
             spots.sort_by(|(i, a), (j, b)| {
                 search.ahead(a.height).total_cmp(&search.ahead(b.height)).then(i.cmp(j))
             });
             spots.into_iter().map(|s| s.1).collect()
-        };
-        searches.par_iter().zip(&leaves).map(spots).collect()
+        })
     }
 
     /// Leaves with points at the heights of a search beside its outline, evenly.
