@@ -62,8 +62,8 @@ pub(crate) fn each<I: Send, T: Send>(
 }
 
 /// `count` copies of a value, written by all threads: the first touch of new memory costs most.
-pub(crate) fn filled<T: Copy + Send + Sync>(count: usize, value: T) -> Vec<T> {
-    (0..count).into_par_iter().map(|_| value).collect()
+pub(crate) fn filled<T: Clone + Send + Sync>(count: usize, value: &T) -> Vec<T> {
+    (0..count).into_par_iter().map(|_| value.clone()).collect()
 }
 
 /// What `fill` appends block by block, in the order of the blocks.

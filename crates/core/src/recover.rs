@@ -12,10 +12,10 @@ pub(crate) use spline::span_spacings;
 pub use verify::take_back;
 pub use world::to_world;
 
-use crate::network::{Network, Node, NodeKind, Strip, StripKind};
+use crate::network::{Network, Node, NodeKind, StripKind};
 use crate::parallel;
 use crate::params::SplineParams;
-use crate::pattern::{LineGraph, Path, Pattern, paths};
+use crate::pattern::{LineGraph, Pattern, paths};
 use crate::surface::Scales;
 
 /// Strips and nodes of a pattern, with smooth curves (Gumhold 2001, section 4, the simple solution); local frame, sources as

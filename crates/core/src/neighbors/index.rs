@@ -24,7 +24,7 @@ impl Index {
     /// and searches fast; any other order gives the same results.
     pub fn build(positions: &[[f64; 3]]) -> Index {
         let count = positions.len().div_ceil(WIDTH);
-        let mut leaves = parallel::filled(count, Leaf::EMPTY);
+        let mut leaves = parallel::filled(count, &Leaf::EMPTY);
         let mut boxes = vec![Aabb::EMPTY; count];
         let blocks = positions.chunks(BLOCK).zip(leaves.chunks_mut(BLOCK / WIDTH));
         let blocks = blocks.zip(boxes.chunks_mut(BLOCK / WIDTH));

@@ -76,7 +76,8 @@ fn gap(
 fn smoothed(count: usize, nearest: &Neighbors, rows: &[u32], gaps: &[f64]) -> Vec<f32> {
     let mut own = vec![0.0_f32; count];
     rows.iter().zip(gaps).for_each(|(&i, &g)| own[i as usize] = g as f32);
-    let median = |near: &mut Vec<f32>, &i: &u32| {
+    let medians = parallel::map_with(rows.len(), |near: &mut Vec<f32>, r| {
+        let i = rows[r];
         near.clear();
         near.extend(nearest.of(i as usize).iter().chain([&i]).map(|&j| own[j as usize]).filter(|&g| g > 0.0));
         if near.is_empty() {
@@ -84,8 +85,7 @@ fn smoothed(count: usize, nearest: &Neighbors, rows: &[u32], gaps: &[f64]) -> Ve
         }
         let middle = near.len() / 2;
         *near.select_nth_unstable_by(middle, f32::total_cmp).1
-    };
-    let medians = parallel::map_with(rows.len(), median);
+    });
     let mut smoothed = vec![0.0; count];
     rows.iter().zip(medians).for_each(|(&i, m)| smoothed[i as usize] = m);
     smoothed

@@ -7,7 +7,6 @@ use super::picture::{Picture, WHITE};
 use super::scene::{Scene, Settings};
 use super::stroke::Mask;
 use super::style::{LINE_BIAS, node_colour, strip_colour};
-use super::surfel::Projected;
 use super::{best, caption, tone};
 use crate::error::Error;
 use crate::network::{Network, NodeKind, StripKind};

@@ -25,7 +25,7 @@ impl Tiles {
     /// Fits every leaf; heights run along `axis`, a unit vector.
     pub(crate) fn new(index: &Index, noise: f64, axis: [f64; 3]) -> Self {
         let mut places = vec![0; index.len()];
-        let mut tiles = parallel::filled(index.leaves.len(), Tile::EMPTY);
+        let mut tiles = parallel::filled(index.leaves.len(), &Tile::EMPTY);
         let blocks = places.chunks_mut(BLOCK).zip(tiles.chunks_mut(BLOCK / WIDTH));
         let blocks = blocks.zip(index.leaves.chunks(BLOCK / WIDTH));
         let planes = parallel::each(blocks, |_, ((places, tiles), leaves)| {
