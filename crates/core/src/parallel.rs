@@ -15,6 +15,7 @@ const MOST: usize = 1024;
 const BLOCKS: usize = 512;
 
 /// The results of `of(i)` for all `i` below `count`, in their order.
+#[inline]
 pub(crate) fn map<T: Send>(count: usize, of: impl Fn(usize) -> T + Sync) -> Vec<T> {
     blocks(count, &|range, out| {
         out.reserve_exact(range.len());
@@ -24,6 +25,7 @@ pub(crate) fn map<T: Send>(count: usize, of: impl Fn(usize) -> T + Sync) -> Vec<
 
 /// The results of `of(scratch, i)` for all `i` below `count`, in their order. The scratch comes as an earlier call, for any other
 /// `i`, has left it.
+#[inline]
 pub(crate) fn map_with<S: Default + Send, T: Send>(
     count: usize,
     of: impl Fn(&mut S, usize) -> T + Sync,
@@ -32,11 +34,13 @@ pub(crate) fn map_with<S: Default + Send, T: Send>(
 }
 
 /// What `of(i, out)` appends for all `i` below `count`, in their order.
+#[inline]
 pub(crate) fn flat_map<T: Send>(count: usize, of: impl Fn(usize, &mut Vec<T>) + Sync) -> Vec<T> {
     blocks(count, &|range, out| range.for_each(|i| of(i, out)))
 }
 
 /// What `of(scratch, i, out)` appends for all `i` below `count`, in their order; scratch as in [`map_with`].
+#[inline]
 pub(crate) fn flat_map_with<S: Default + Send, T: Send>(
     count: usize,
     of: impl Fn(&mut S, usize, &mut Vec<T>) + Sync,
@@ -50,6 +54,7 @@ pub(crate) fn flat_map_with<S: Default + Send, T: Send>(
 }
 
 /// The results of `of(i, item)` for all items, such as parts of a slice to be filled, in their order.
+#[inline]
 pub(crate) fn each<I: Send, T: Send>(
     items: impl Iterator<Item = I>,
     of: impl Fn(usize, I) -> T + Sync,
