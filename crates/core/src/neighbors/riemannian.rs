@@ -170,6 +170,7 @@ impl Scratch {
     }
 
     /// Adds a point that has not been found in this search.
+    #[inline]
     fn add(&mut self, j: u32) {
         let seen = &mut self.visited[j as usize];
         if *seen != self.search {
