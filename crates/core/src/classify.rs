@@ -20,7 +20,7 @@ pub fn classes(points: &[[f64; 3]], network: &Network, scales: Scales) -> Vec<Cl
     let segments: Vec<Segment> = network.strips.iter().flat_map(|s| segments(s, scales)).collect();
     let boxes = Boxes::new(segments.iter().map(|s| Extent::of([s.from, s.to])));
     let bound = |i: u32| (ON_LINE * scales.cautious(i)).powi(2);
-    let mut classes = parallel::map(points.len(), |i| {
+    let mut classes = parallel::map(points.len(), parallel::QUICK, |i| {
         first_near(&segments, &boxes, points[i], bound(i as u32)).map_or(Class::Smooth, |s| s.class)
     });
     let index = Index::build(points);

@@ -70,10 +70,10 @@ impl Localised {
     /// `(N)` for each input point its canonical index; `u32::MAX` where it was dropped as non-finite.
     pub fn canonical(&self) -> Vec<u32> {
         let read = self.source.len() + self.merged() + self.dropped;
-        let canonical = parallel::map(read, |_| AtomicU32::new(u32::MAX));
+        let canonical = parallel::map(read, parallel::QUICK, |_| AtomicU32::new(u32::MAX));
         // Every input point is numbered once, so that it does not matter which thread does it.
         let number = |i: u32, c: u32| canonical[i as usize].store(c, Relaxed);
-        parallel::map(self.source.len(), |c| number(self.source[c], c as u32));
+        parallel::map(self.source.len(), parallel::QUICK, |c| number(self.source[c], c as u32));
         self.repeats.iter().for_each(|&(i, c)| number(i, c));
         canonical.into_iter().map(AtomicU32::into_inner).collect()
     }

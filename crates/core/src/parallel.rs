@@ -9,15 +9,22 @@ use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Most items of a block: from here on the cost of handing it out does not count.
-const MOST: usize = 1024;
-/// Blocks of a loop too short for blocks of that size: enough for threads to finish together where items differ in cost.
+/// Least items of a block where one takes about a microsecond, such as a look at the neighbours of a point: to hand out less, and
+/// to wake a thread for it, costs more than it gains.
+pub(crate) const QUICK: usize = 1024;
+/// Least items of a block where one takes tens of microseconds.
+pub(crate) const SLOW: usize = 64;
+/// The same where one is a task by itself, such as a strip, a slice or a block of points.
+pub(crate) const TASK: usize = 1;
+
+/// Blocks of a loop, as long as they are no larger than [`QUICK`]: enough for threads to finish together where items differ in
+/// cost.
 const BLOCKS: usize = 512;
 
-/// The results of `of(i)` for all `i` below `count`, in their order.
+/// The results of `of(i)` for all `i` below `count`, in their order; `least` items make a block.
 #[inline]
-pub(crate) fn map<T: Send>(count: usize, of: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    blocks(count, &|range, out| {
+pub(crate) fn map<T: Send>(count: usize, least: usize, of: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    blocks(count, least, &|range, out| {
         out.reserve_exact(range.len());
         range.for_each(|i| out.push(of(i)));
     })
@@ -28,25 +35,31 @@ pub(crate) fn map<T: Send>(count: usize, of: impl Fn(usize) -> T + Sync) -> Vec<
 #[inline]
 pub(crate) fn map_with<S: Default + Send, T: Send>(
     count: usize,
+    least: usize,
     of: impl Fn(&mut S, usize) -> T + Sync,
 ) -> Vec<T> {
-    flat_map_with(count, |scratch, i, out| out.push(of(scratch, i)))
+    flat_map_with(count, least, |scratch, i, out| out.push(of(scratch, i)))
 }
 
 /// What `of(i, out)` appends for all `i` below `count`, in their order.
 #[inline]
-pub(crate) fn flat_map<T: Send>(count: usize, of: impl Fn(usize, &mut Vec<T>) + Sync) -> Vec<T> {
-    blocks(count, &|range, out| range.for_each(|i| of(i, out)))
+pub(crate) fn flat_map<T: Send>(
+    count: usize,
+    least: usize,
+    of: impl Fn(usize, &mut Vec<T>) + Sync,
+) -> Vec<T> {
+    blocks(count, least, &|range, out| range.for_each(|i| of(i, out)))
 }
 
 /// What `of(scratch, i, out)` appends for all `i` below `count`, in their order; scratch as in [`map_with`].
 #[inline]
 pub(crate) fn flat_map_with<S: Default + Send, T: Send>(
     count: usize,
+    least: usize,
     of: impl Fn(&mut S, usize, &mut Vec<T>) + Sync,
 ) -> Vec<T> {
     let spare: Mutex<Vec<S>> = Mutex::new(Vec::new());
-    blocks(count, &|range, out| {
+    blocks(count, least, &|range, out| {
         let mut scratch = lock(&spare).pop().unwrap_or_default();
         range.for_each(|i| of(&mut scratch, i, out));
         lock(&spare).push(scratch);
@@ -60,7 +73,7 @@ pub(crate) fn each<I: Send, T: Send>(
     of: impl Fn(usize, I) -> T + Sync,
 ) -> Vec<T> {
     let items: Vec<Mutex<Option<I>>> = items.map(|item| Mutex::new(Some(item))).collect();
-    flat_map(items.len(), |i, out| {
+    flat_map(items.len(), TASK, |i, out| {
         let item = lock(&items[i]).take();
         out.extend(item.map(|item| of(i, item)));
     })
@@ -72,8 +85,8 @@ pub(crate) fn filled<T: Clone + Send + Sync>(count: usize, value: &T) -> Vec<T> 
 }
 
 /// What `fill` appends block by block, in the order of the blocks.
-fn blocks<T: Send>(count: usize, fill: &(dyn Fn(Range<usize>, &mut Vec<T>) + Sync)) -> Vec<T> {
-    let size = (count / BLOCKS).clamp(1, MOST);
+fn blocks<T: Send>(count: usize, least: usize, fill: &(dyn Fn(Range<usize>, &mut Vec<T>) + Sync)) -> Vec<T> {
+    let size = (count / BLOCKS).clamp(least, QUICK);
     let filled: Vec<Mutex<Vec<T>>> = (0..count.div_ceil(size)).map(|_| Mutex::new(Vec::new())).collect();
     share(filled.len(), &|b| {
         let range = b * size..count.min((b + 1) * size);
@@ -108,16 +121,19 @@ mod tests {
     #[test]
     fn results_are_those_of_a_serial_loop_in_blocks_of_any_number_and_size() {
         for count in [0, 1, 2, 511, 512, 1023, 1024, 5000, 1_000_003] {
-            assert!(map(count, |i| i * i).into_iter().eq((0..count).map(|i| i * i)), "{count}");
+            for least in [TASK, SLOW, QUICK] {
+                let squares = map(count, least, |i| i * i);
+                assert!(squares.into_iter().eq((0..count).map(|i| i * i)), "{count}");
+            }
             let some = |i: usize| i % 3..i % 5;
             let serial = (0..count).flat_map(some);
-            assert!(flat_map(count, |i, out| out.extend(some(i))).into_iter().eq(serial), "{count}");
+            assert!(flat_map(count, SLOW, |i, out| out.extend(some(i))).into_iter().eq(serial), "{count}");
         }
     }
 
     #[test]
     fn scratch_is_handed_on_and_taken_by_one_at_a_time() {
-        let calls = map_with(40_000, |calls: &mut usize, _| {
+        let calls = map_with(40_000, TASK, |calls: &mut usize, _| {
             *calls += 1;
             *calls
         });
@@ -140,12 +156,12 @@ mod tests {
     #[test]
     #[should_panic(expected = "at 77")]
     fn a_panic_reaches_the_caller() {
-        map(1000, |i| assert!(i != 77, "at {i}"));
+        map(1000, TASK, |i| assert!(i != 77, "at {i}"));
     }
 
     #[test]
     fn loops_run_inside_of_loops() {
-        let sums = map(100, |i| map(i, |j| j).into_iter().sum::<usize>());
+        let sums = map(100, TASK, |i| map(i, TASK, |j| j).into_iter().sum::<usize>());
         assert!(sums.into_iter().eq((0..100).map(|i| i * (i + 1) / 2 - i)));
     }
 }

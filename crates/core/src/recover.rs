@@ -52,7 +52,7 @@ fn append(
         });
     }
     let nodes = &network.nodes;
-    let strips = parallel::map(paths.len(), |p| {
+    let strips = parallel::map(paths.len(), parallel::TASK, |p| {
         let path = &paths[p];
         let ends = path.ends.map(|[a, b]| [first + a, first + b]);
         spline::strip(nodes, kind, lines, path, ends, scales, params)

@@ -38,8 +38,9 @@ impl Resolution {
     pub fn estimate(points: &[[f64; 3]], nearest: &Neighbors, graph: &Neighbors) -> Resolution {
         let step = points.len().div_ceil(SAMPLES).max(1);
         let chosen: Vec<usize> = (0..points.len()).step_by(step).collect();
-        let near =
-            parallel::map(chosen.len(), |k| mean_distance(points, chosen[k], six(nearest.of(chosen[k]))));
+        let near = parallel::map(chosen.len(), parallel::SLOW, |k| {
+            mean_distance(points, chosen[k], six(nearest.of(chosen[k])))
+        });
         let raw = mean_without_strays(&near);
         let small = FITS.iter().filter_map(|&(size, scale)| {
             let fits = chosen.iter().filter(|&&i| nearest.of(i).len() >= size - 1);
@@ -90,7 +91,7 @@ fn wide_noise(points: &[[f64; 3]], graph: &Neighbors, chosen: &[usize]) -> Optio
 /// neighbourhoods are not flat.
 fn flat_residual(points: &[[f64; 3]], sets: Vec<(usize, Vec<u32>)>, scale: f64) -> Option<f64> {
     let sets: Vec<(usize, Vec<u32>)> = sets.into_iter().filter(|(_, set)| set.len() > 3).collect();
-    let fits = parallel::map(sets.len(), |k| {
+    let fits = parallel::map(sets.len(), parallel::SLOW, |k| {
         let fit = ellipsoid(points, sets[k].0, &sets[k].1);
         let size = fit.count as f64;
         // The radius of the disc with these variances along its plane.

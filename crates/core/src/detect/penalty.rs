@@ -56,5 +56,5 @@ pub fn borders(
 
 /// `(N)` mean distance of every point from its direct neighbours (equation 1).
 pub fn densities(points: &[[f64; 3]], graph: &Neighbors) -> Vec<f32> {
-    parallel::map(points.len(), |i| mean_distance(points, i, graph.of(i)) as f32)
+    parallel::map(points.len(), parallel::QUICK, |i| mean_distance(points, i, graph.of(i)) as f32)
 }

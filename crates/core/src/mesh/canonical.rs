@@ -51,7 +51,8 @@ impl Surface {
         for face in faces.iter().filter(finite) {
             triangles::split(face, local, &mut soup);
         }
-        let (vertices, triangles) = welded(parallel::map(soup.len(), |t| soup[t].map(local)));
+        let (vertices, triangles) =
+            welded(parallel::map(soup.len(), parallel::QUICK, |t| soup[t].map(local)));
         Self { vertices, triangles, areas: Vec::new(), normals: Vec::new(), area: 0.0, scale, offset: low }
             .measured()
     }
@@ -62,7 +63,7 @@ impl Surface {
             let [a, b, c] = self.corners(&self.triangles[t]);
             scale(cross(sub(b, a), sub(c, a)), 0.5)
         };
-        let vectors = parallel::map(self.triangles.len(), vector);
+        let vectors = parallel::map(self.triangles.len(), parallel::QUICK, vector);
         let mut areas = vectors.iter().map(|&v| norm(v));
         self.triangles.retain(|_| areas.next().is_some_and(|area| area > 0.0));
         let kept = vectors.into_iter().filter(|&v| norm(v) > 0.0);
@@ -103,7 +104,7 @@ fn welded(soup: Vec<[[f64; 3]; 3]>) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
             [c, a, b]
         }
     };
-    let mut triangles = parallel::map(soup.len(), numbered);
+    let mut triangles = parallel::map(soup.len(), parallel::QUICK, numbered);
     let set = |t: &[u32; 3]| [t[0], t[1].min(t[2]), t[1].max(t[2])];
     triangles.par_sort_unstable_by_key(|t| (set(t), *t));
     triangles.dedup_by_key(|t| set(t));

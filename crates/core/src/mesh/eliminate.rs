@@ -40,7 +40,8 @@ fn cell(position: [f64; 3], edge: f64) -> Cell {
 
 /// The first candidate of every cell.
 fn one_a_cell(candidates: &[Candidate], edge: f64) -> Vec<u32> {
-    let mut cells = parallel::map(candidates.len(), |i| (cell(candidates[i].position, edge), i as u32));
+    let mut cells =
+        parallel::map(candidates.len(), parallel::QUICK, |i| (cell(candidates[i].position, edge), i as u32));
     cells.par_sort_unstable();
     cells.dedup_by_key(|(cell, _)| *cell);
     cells.into_iter().map(|(_, i)| i).collect()
@@ -59,14 +60,14 @@ struct Grid<'a> {
 impl<'a> Grid<'a> {
     fn new(candidates: &'a [Candidate], chosen: &[u32], reach: f64, limit: f64) -> Self {
         let place = |k: usize| (cell(candidates[chosen[k] as usize].position, reach), chosen[k]);
-        let mut places = parallel::map(chosen.len(), place);
+        let mut places = parallel::map(chosen.len(), parallel::QUICK, place);
         places.par_sort_unstable();
         Self { candidates, places, reach, limit }
     }
 
     /// Takes out the most crowded place until `count` are left; gives the candidates that stay.
     fn thin(&self, count: usize) -> Vec<u32> {
-        let mut weights = parallel::map(self.places.len(), |at| self.weight(at));
+        let mut weights = parallel::map(self.places.len(), parallel::SLOW, |at| self.weight(at));
         let mut heap: BinaryHeap<Crowded> =
             weights.iter().zip(0..).map(|(&w, at)| Crowded(w, Reverse(at))).collect();
         let (mut stays, mut left) = (vec![true; self.places.len()], self.places.len());

@@ -35,7 +35,7 @@ pub(super) fn scatter(surface: &Surface, count: usize) -> Vec<Candidate> {
         let position = add_scaled(add_scaled(a, sub(b, a), root * (1.0 - v)), sub(c, a), root * v);
         Candidate { position, normal: surface.normals[at].map(|x| x as f32) }
     };
-    parallel::map(count, point)
+    parallel::map(count, parallel::QUICK, point)
 }
 
 /// The number of a counter in `[0, 1)`: splitmix64 (Steele and others, 2014), the same on every machine.

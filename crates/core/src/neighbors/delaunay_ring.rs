@@ -37,7 +37,7 @@ type Block = (Vec<u32>, Vec<u32>, Vec<[f32; 3]>);
 /// orientation, of the least-squares plane through the ring and the point.
 pub fn one_rings(points: &[[f64; 3]], nearest: &Neighbors) -> (Neighbors, Vec<[f32; 3]>) {
     let blocks = points.len().div_ceil(BLOCK);
-    let rings: Vec<Block> = parallel::map_with(blocks, |cell: &mut Cell, b| {
+    let rings: Vec<Block> = parallel::map_with(blocks, parallel::TASK, |cell: &mut Cell, b| {
         let range = b * BLOCK..points.len().min((b + 1) * BLOCK);
         let (mut counts, mut indices, mut normals) = (Vec::new(), Vec::new(), Vec::new());
         for i in range {

@@ -34,8 +34,8 @@ impl Index {
         let mut levels: Vec<Vec<Node>> = Vec::new();
         while boxes.len() > 1 || levels.is_empty() {
             let below: Vec<&[Aabb]> = boxes.chunks(WIDTH).collect();
-            let nodes = parallel::map(below.len(), |n| Node::new(below[n]));
-            boxes = parallel::map(below.len(), |n| Aabb::union(below[n]));
+            let nodes = parallel::map(below.len(), parallel::QUICK, |n| Node::new(below[n]));
+            boxes = parallel::map(below.len(), parallel::QUICK, |n| Aabb::union(below[n]));
             levels.push(nodes);
             if boxes.is_empty() {
                 break;

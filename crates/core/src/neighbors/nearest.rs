@@ -24,7 +24,7 @@ pub fn all_nearest_with(positions: &[[f64; 3]], k: usize, instructions: Instruct
         let engine = Engine::new(&index, positions, k, instructions);
         parallel::each(indices.chunks_mut(BLOCK * k), |b, lists| engine.block(b, lists));
     }
-    let offsets = parallel::map(positions.len() + 1, |i| (i * k) as u64);
+    let offsets = parallel::map(positions.len() + 1, parallel::QUICK, |i| (i * k) as u64);
     Neighbors { offsets, indices }
 }
 
@@ -53,7 +53,7 @@ pub(crate) fn nearest_leaves<R: Send>(
     visit: impl Fn(usize, &[u32]) -> R + Sync,
 ) -> Vec<R> {
     let Some((engine, k)) = engine(index, positions, k) else { return Vec::new() };
-    parallel::map_with(leaves.len().div_ceil(BATCH), |lists: &mut Vec<u32>, b| {
+    parallel::map_with(leaves.len().div_ceil(BATCH), parallel::TASK, |lists: &mut Vec<u32>, b| {
         let leaves = &leaves[b * BATCH..leaves.len().min((b + 1) * BATCH)];
         lists.resize(leaves.len() * WIDTH * k, 0);
         engine.leaves(leaves, lists);
@@ -83,7 +83,7 @@ fn nearest_blocks_in<R: Send>(
     visit: impl Fn(usize, &[u32]) -> R + Sync,
 ) -> Vec<R> {
     let Some((engine, k)) = engine(index, positions, k) else { return Vec::new() };
-    parallel::map_with(positions.len().div_ceil(BLOCK), |lists: &mut Vec<u32>, b| {
+    parallel::map_with(positions.len().div_ceil(BLOCK), parallel::TASK, |lists: &mut Vec<u32>, b| {
         let first = b * BLOCK;
         lists.resize(BLOCK.min(positions.len() - first) * k, 0);
         engine.block(b, lists);

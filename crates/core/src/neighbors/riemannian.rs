@@ -24,9 +24,9 @@ pub fn graph(positions: &[[f64; 3]], nearest: &Neighbors) -> Neighbors {
     let size = nearest.len().div_ceil(PARTS).max(1);
     let parts = nearest.len().div_ceil(size);
     let points = |p: usize| p * size..nearest.len().min((p + 1) * size);
-    let sent = parallel::map(parts, |p| one_sided(positions, nearest, points(p), size));
+    let sent = parallel::map(parts, parallel::TASK, |p| one_sided(positions, nearest, points(p), size));
     let row = |p: usize| Rows::received(positions, sent.iter().map(|to| to[p].as_slice()), points(p));
-    let rows = parallel::map(parts, row);
+    let rows = parallel::map(parts, parallel::TASK, row);
     join(nearest, &rows, size)
 }
 

@@ -29,7 +29,7 @@ const OPEN: f64 = 0.95;
 
 /// `(M)` area of each point, squared unit of the local frame; zero for points without a patch.
 pub fn areas(ground: &Ground, label: &[u32], stations: &Stations, beside: &Beside) -> Vec<f64> {
-    parallel::map_with(label.len(), |buffers, i| match label[i] {
+    parallel::map_with(label.len(), parallel::QUICK, |buffers, i| match label[i] {
         NO_PATCH => 0.0,
         _ => cell(ground, label, stations, beside, i, buffers),
     })

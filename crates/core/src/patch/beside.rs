@@ -75,7 +75,7 @@ impl Beside {
 /// Finds the points beside all strips and fills in the directions at the stations.
 pub fn beside(ground: &Ground, mut stations: Stations) -> (Stations, Beside) {
     let near = Near::new(&stations);
-    let lists = parallel::map_with(ground.points.len(), |found, i| {
+    let lists = parallel::map_with(ground.points.len(), parallel::QUICK, |found, i| {
         let p = ground.points[i];
         let edges = ground.graph.of(i).iter().map(|&j| distance(p, ground.points[j as usize]));
         let strips = near.of(p, edges.fold(BESIDE * ground.scales.unit(i as u32), f64::max), found);
@@ -135,7 +135,7 @@ fn directions(stations: &mut Stations, beside: &Beside, scales: Scales) {
     }
     let border = &stations.border;
     let first = &stations.first;
-    let found = parallel::flat_map(border.len(), |strip, found| {
+    let found = parallel::flat_map(border.len(), parallel::TASK, |strip, found| {
         let range = first[strip]..first[strip + 1];
         let mut before: [Option<[f64; 2]>; 2] = [None; 2];
         for s in range.clone() {

@@ -27,7 +27,7 @@ const FREE: f64 = 0.15;
 
 /// The best surface of each patch. `normals` point outwards; local frame.
 pub fn fits(ground: &Ground, normals: &[[f64; 3]], members: &[Vec<u32>], beside: &Beside) -> Vec<Fit> {
-    parallel::map(members.len(), |patch| fit(ground, normals, &members[patch], beside))
+    parallel::map(members.len(), parallel::TASK, |patch| fit(ground, normals, &members[patch], beside))
 }
 
 fn fit(ground: &Ground, normals: &[[f64; 3]], patch: &[u32], beside: &Beside) -> Fit {

@@ -22,7 +22,7 @@ const ROUNDS: usize = 8;
 /// `(M)` the patch of each point; patches are numbered by their first point.
 pub fn flood(ground: &Ground, beside: &Beside) -> Vec<u32> {
     let count = ground.points.len();
-    let seam = parallel::map(count, |i| beside.on_seam(i));
+    let seam = parallel::map(count, parallel::QUICK, |i| beside.on_seam(i));
     let mut sets = joined(ground, beside, &seam);
     let roots: Vec<u32> = (0..count as u32).map(|i| sets.find(i)).collect();
     let mut size = vec![0u32; count];
@@ -48,7 +48,7 @@ pub fn flood(ground: &Ground, beside: &Beside) -> Vec<u32> {
 fn joined(ground: &Ground, beside: &Beside, seam: &[bool]) -> UnionFind {
     let count = ground.points.len();
     let units = |i: usize| beside.clearance(i) / ground.scales.unit(i as u32);
-    let clear = parallel::map(count, |i| units(i).min(WIDTH_CAP * NOT_NARROW));
+    let clear = parallel::map(count, parallel::QUICK, |i| units(i).min(WIDTH_CAP * NOT_NARROW));
     let mut sets = UnionFind::new(count);
     let mut narrow = Vec::new();
     for i in (0..count).filter(|&i| !seam[i]) {
@@ -95,7 +95,7 @@ fn crosses(a: &[Entry], b: &[Entry]) -> bool {
 /// Gives each point without a patch that of the neighbour with the nearest tangent plane, from the patches outwards.
 fn spread(ground: &Ground, beside: &Beside, label: &mut [u32]) {
     for _ in 0..ROUNDS {
-        let taken = parallel::flat_map(label.len(), |i, taken| {
+        let taken = parallel::flat_map(label.len(), parallel::QUICK, |i, taken| {
             if label[i] == NO_PATCH {
                 taken.extend(best(ground, beside, label, i).map(|l| (i, l)));
             }

@@ -33,7 +33,7 @@ const LONG: f64 = 6.0;
 pub(crate) fn refit(network: &mut Network, points: &[[f64; 3]], graph: &Neighbors, scales: Scales) {
     let is_round = |p: &Piece| matches!(p.shape, Shape::Arc { .. } | Shape::Circle(_));
     let strips = &network.strips;
-    let moved = parallel::map_with(strips.len(), |scratch: &mut Scratch, s| {
+    let moved = parallel::map_with(strips.len(), parallel::TASK, |scratch: &mut Scratch, s| {
         let strip = &strips[s];
         if strip.kind != StripKind::Crease || !strip.curves.iter().any(is_round) {
             return None;

@@ -62,8 +62,9 @@ pub(crate) fn of(
     let holds = |k: usize, profile: &profile::Profile| shown.holds(order[k], profile);
     let tracks = track::tracks(&levels, &heights, tolerance, params.missed, holds);
     // The runs of a track stay together until their ends are known.
-    let mut found: Vec<Found> =
-        parallel::flat_map(tracks.len(), |t, out| out.extend(runs::runs(&tracks[t], sections, tolerance)));
+    let mut found: Vec<Found> = parallel::flat_map(tracks.len(), parallel::TASK, |t, out| {
+        out.extend(runs::runs(&tracks[t], sections, tolerance))
+    });
     ends::refine(local, index, tiles, sections, tolerance, &mut found);
     found.sort_by(|a, b| a.run.from.total_cmp(&b.run.from).then_with(|| a.run.contours.cmp(&b.run.contours)));
     let repeats = repeats::repeats(&found, tolerance);

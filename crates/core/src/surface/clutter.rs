@@ -57,13 +57,14 @@ pub(super) fn clutter(
     let mut clutter = pieces(points, nearest, &reach, &crowd, &deep);
     let scattered = clutter.iter().filter(|&&c| c).count();
     let alone = |i: usize| bare[i] && gaps[i] == 0.0 && raw[i] > ALONE * spacing[i];
-    clutter = parallel::map(points.len(), |i| clutter[i] || alone(i));
+    clutter = parallel::map(points.len(), parallel::QUICK, |i| clutter[i] || alone(i));
     for _ in 0..ROUNDS {
         let [little, most] = [DRAWN.0, DRAWN.1].map(|share| where_share(nearest, &clutter, share));
-        clutter = parallel::map(points.len(), |i| clutter[i] || most[i] || (bare[i] && little[i]));
+        clutter =
+            parallel::map(points.len(), parallel::QUICK, |i| clutter[i] || most[i] || (bare[i] && little[i]));
     }
     let small = islands(points, nearest, &reach, &clutter);
-    clutter = parallel::map(points.len(), |i| clutter[i] || small[i]);
+    clutter = parallel::map(points.len(), parallel::QUICK, |i| clutter[i] || small[i]);
     (clutter, scattered)
 }
 
@@ -73,7 +74,7 @@ fn where_share(nearest: &Neighbors, marked: &[bool], share: f64) -> Vec<bool> {
         let near = nearest.of(i);
         near.iter().filter(|&&j| marked[j as usize]).count() as f64 > share * near.len() as f64
     };
-    parallel::map(marked.len(), over)
+    parallel::map(marked.len(), parallel::QUICK, over)
 }
 
 /// `(N)` whether each point belongs to a crowd that is clutter.

@@ -11,12 +11,14 @@ use crate::parallel;
 pub(super) fn islands(points: &[[f64; 3]], nearest: &Neighbors, reach: &[f32], out: &[bool]) -> Vec<bool> {
     let links = Links { points, nearest, reach, out };
     // Nearly every point reaches enough others within two or three steps; for the few others the whole piece is counted.
-    let doubtful = parallel::map_with(points.len(), |seen, i| !out[i] && !links.reaches_enough(i, seen));
+    let doubtful = parallel::map_with(points.len(), parallel::QUICK, |seen, i| {
+        !out[i] && !links.reaches_enough(i, seen)
+    });
     if !doubtful.contains(&true) {
         return doubtful;
     }
     let mut sets = UnionFind::new(points.len());
-    let joined = parallel::flat_map(points.len(), |i, joined| {
+    let joined = parallel::flat_map(points.len(), parallel::QUICK, |i, joined| {
         if !out[i] {
             let doubtful = links.of(i).filter(|&j| doubtful[i] || doubtful[j]);
             joined.extend(doubtful.map(|j| (i as u32, j as u32)));

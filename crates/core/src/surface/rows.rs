@@ -21,18 +21,20 @@ const FARTHEST: f64 = 12.0;
 /// `(N)` distance from each point to the next row, smoothed; zero for points outside of rows, and in rows without another beside
 /// them.
 pub(super) fn gaps(points: &[[f64; 3]], nearest: &Neighbors, planes: &[Plane], spacing: &[f32]) -> Vec<f32> {
-    let long = parallel::map(planes.len(), |i| planes[i].elongation > ELONGATED);
+    let long = parallel::map(planes.len(), parallel::QUICK, |i| planes[i].elongation > ELONGATED);
     let row = |i: usize| {
         let near = nearest.of(i);
         2 * near.iter().filter(|&&j| long[j as usize]).count() > near.len()
     };
-    let rows = parallel::flat_map(points.len(), |i, rows| rows.extend(row(i).then_some(i as u32)));
+    let rows =
+        parallel::flat_map(points.len(), parallel::QUICK, |i, rows| rows.extend(row(i).then_some(i as u32)));
     if rows.is_empty() {
         return vec![0.0; points.len()];
     }
     let index = Index::build(points);
-    let gaps =
-        parallel::map_with(rows.len(), |found, r| gap(points, &index, nearest, spacing, rows[r], found));
+    let gaps = parallel::map_with(rows.len(), parallel::SLOW, |found, r| {
+        gap(points, &index, nearest, spacing, rows[r], found)
+    });
     smoothed(points.len(), nearest, &rows, &gaps)
 }
 
@@ -76,7 +78,7 @@ fn gap(
 fn smoothed(count: usize, nearest: &Neighbors, rows: &[u32], gaps: &[f64]) -> Vec<f32> {
     let mut own = vec![0.0_f32; count];
     rows.iter().zip(gaps).for_each(|(&i, &g)| own[i as usize] = g as f32);
-    let medians = parallel::map_with(rows.len(), |near: &mut Vec<f32>, r| {
+    let medians = parallel::map_with(rows.len(), parallel::SLOW, |near: &mut Vec<f32>, r| {
         let i = rows[r];
         near.clear();
         near.extend(nearest.of(i as usize).iter().chain([&i]).map(|&j| own[j as usize]).filter(|&g| g > 0.0));

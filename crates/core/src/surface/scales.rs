@@ -95,7 +95,7 @@ pub(super) fn raw(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<f32> {
         let sum: f64 = six.iter().map(|&j| distance(points[i], points[j as usize])).sum();
         (sum / six.len().max(1) as f64) as f32
     };
-    parallel::map(points.len(), own)
+    parallel::map(points.len(), parallel::QUICK, own)
 }
 
 /// `(N)` spacing at every point: the mean distance from its six nearest, smoothed over the neighbours in the lists.
@@ -106,7 +106,7 @@ pub fn spacings(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<f32> {
 /// Takes medians over the neighbours, twice.
 pub(super) fn smoothed(mut spacing: Vec<f32>, nearest: &Neighbors) -> Vec<f32> {
     for _ in 0..ROUNDS {
-        spacing = parallel::map_with(spacing.len(), |near: &mut Vec<f32>, i| {
+        spacing = parallel::map_with(spacing.len(), parallel::QUICK, |near: &mut Vec<f32>, i| {
             near.clear();
             near.extend(nearest.of(i).iter().map(|&j| spacing[j as usize]).chain([spacing[i]]));
             let middle = near.len() / 2;
@@ -118,7 +118,9 @@ pub(super) fn smoothed(mut spacing: Vec<f32>, nearest: &Neighbors) -> Vec<f32> {
 
 /// The spacings, with the mean of the cloud where they differ little from it.
 pub fn evened(spacing: &[f32], mean: Resolution) -> Vec<f32> {
-    parallel::map(spacing.len(), |i| blended(f64::from(spacing[i]), mean.spacing, EVEN) as f32)
+    parallel::map(spacing.len(), parallel::QUICK, |i| {
+        blended(f64::from(spacing[i]), mean.spacing, EVEN) as f32
+    })
 }
 
 /// The spacing at a place: the mean up to a ratio of the first of `band` between it and `raw`, `raw` from the second on, and a

@@ -43,7 +43,7 @@ pub(super) fn planes(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<Plane> {
             elongation: elongation(&tensor, least) as f32,
         }
     };
-    parallel::map(points.len(), fit)
+    parallel::map(points.len(), parallel::QUICK, fit)
 }
 
 /// The neighbours that the plane of point `i` is fitted to.
@@ -92,7 +92,7 @@ pub(super) fn supported(
         index.nearest(points[i], COUNTED + 1, found);
         gather(&mut found.iter().map(|f| f.index).filter(|&j| j as usize != i))
     };
-    parallel::map_with(points.len(), own)
+    parallel::map_with(points.len(), parallel::QUICK, own)
 }
 
 /// Whether one of the planes around point `i` holds it and at least `enough` of the places `near`, relative to it.

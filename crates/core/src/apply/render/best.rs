@@ -27,7 +27,7 @@ pub(super) fn direction(scene: &Scene, settings: &Settings) -> [f64; 3] {
     let lines = edges(&surfels);
     let frame = Camera::looking(settings.up, [0.0, 1.0, 0.0]);
     let candidates: Vec<([f64; 3], f64)> = candidates(&frame);
-    let shown = parallel::map(candidates.len(), |c| {
+    let shown = parallel::map(candidates.len(), parallel::TASK, |c| {
         let (from, weight) = candidates[c];
         let [area, length] = shown(&surfels, growth, &lines, from, scene, settings);
         [area * weight, length * weight]

@@ -25,7 +25,8 @@ pub fn render(scene: &Scene, settings: &Settings) -> Result<Picture, Error> {
     settings.check()?;
     scene.check()?;
     let camera = aim(scene, settings);
-    let projected = parallel::map(scene.surfels.len(), |i| scene.surfels[i].project(&camera));
+    let projected =
+        parallel::map(scene.surfels.len(), parallel::QUICK, |i| scene.surfels[i].project(&camera));
     let surface = DepthBuffer::draw(&projected, settings.width * FINE, settings.height * FINE);
     let spacing = (scene.spacing * camera.scale) as f32;
     let fine = tone::shaded(&projected, &surface, spacing);

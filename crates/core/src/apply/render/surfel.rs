@@ -68,7 +68,7 @@ fn all(local: &Localised) -> (Vec<Surfel>, f64) {
         radius: s.radius.min(limit) * local.frame.scale,
         ..*s
     };
-    (parallel::map(discs.len(), |i| to_world(&discs[i].0)), spacing * local.frame.scale)
+    (parallel::map(discs.len(), parallel::QUICK, |i| to_world(&discs[i].0)), spacing * local.frame.scale)
 }
 
 /// The disc of point `i`, in the plane fitted to it and its neighbours. At a border or an edge, where neighbours lie on one side

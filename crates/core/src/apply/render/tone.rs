@@ -25,11 +25,13 @@ const INK: Colour = [0.10, 0.13, 0.17];
 pub(super) fn shaded(surfels: &[Projected], surface: &DepthBuffer, spacing: f32) -> Vec<f32> {
     let range = depth_range(surface);
     let dotted = spacing >= DOTS_FROM;
-    let tones = parallel::map(surfels.len(), |i| tone(&surfels[i], range));
-    let mut fine = parallel::map(surface.surfel.len(), |at| match tones.get(surface.surfel[at] as usize) {
-        Some(&tone) if dotted => 1.0 - 0.55 * (1.0 - tone),
-        Some(&tone) => tone,
-        None => 1.0,
+    let tones = parallel::map(surfels.len(), parallel::QUICK, |i| tone(&surfels[i], range));
+    let mut fine = parallel::map(surface.surfel.len(), parallel::QUICK, |at| {
+        match tones.get(surface.surfel[at] as usize) {
+            Some(&tone) if dotted => 1.0 - 0.55 * (1.0 - tone),
+            Some(&tone) => tone,
+            None => 1.0,
+        }
     });
     if dotted {
         let radius = (0.22 * spacing).min(GREATEST_DOT);

@@ -36,7 +36,7 @@ fn align(
     hops: impl Fn(usize) -> usize + Sync,
     reach: impl Fn(usize) -> f64 + Sync,
 ) {
-    penalties.foot = parallel::map_with(penalties.len(), |scratch: &mut Scratch, c| {
+    penalties.foot = parallel::map_with(penalties.len(), parallel::SLOW, |scratch: &mut Scratch, c| {
         let i = penalties.points[c] as usize;
         aligned(penalties, graph.hops(i, hops(i), scratch), c, reach(i))
     });

@@ -53,14 +53,14 @@ pub fn consensus_normals(
     scales: Scales,
 ) -> Vec<[f32; 3]> {
     let rate = |i: usize| 0.5 / tolerance(scales.at(i)).powi(2);
-    let own = parallel::map_with(points.len(), |scratch: &mut Scratch, i| {
+    let own = parallel::map_with(points.len(), parallel::QUICK, |scratch: &mut Scratch, i| {
         let near = graph.of(i);
         let (all, rate) = (graph.hops(i, hops(i), scratch), rate(i));
         let candidates =
             [&near[..near.len().min(NEAREST)], all].map(|set| ellipsoid(points, i, set).axes.vectors[0]);
         best(candidates.map(|n| (n, weight(points, i, all, rate, n))).into_iter()).0.map(|x| x as f32)
     });
-    parallel::map_with(points.len(), |(scratch, planes): &mut (Scratch, Vec<Plane>), i| {
+    parallel::map_with(points.len(), parallel::QUICK, |(scratch, planes): &mut (Scratch, Vec<Plane>), i| {
         let (hops, rate) = (hops(i), rate(i));
         let all = graph.hops(i, hops, scratch);
         let near = all.len();

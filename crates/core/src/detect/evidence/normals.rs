@@ -53,7 +53,7 @@ fn pass(
     from: &Normals,
 ) -> Normals {
     let angle_rate = 1.0 / (1.0 - GATE_DEG.to_radians().cos());
-    let rows = parallel::map_with(points.len(), |scratch: &mut Scratch, i| {
+    let rows = parallel::map_with(points.len(), parallel::QUICK, |scratch: &mut Scratch, i| {
         let own = from.vectors[i].map(f64::from);
         let (mut sum, mut total) = (own, 1.0);
         let offset_rate = 0.5 / tolerance(scales.at(i)).powi(2);

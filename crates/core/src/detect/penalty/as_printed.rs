@@ -81,7 +81,7 @@ fn at_every_point<R: Send>(
     hops: usize,
     of: impl Fn(&[[f64; 3]], &Neighbors, usize, &[u32], &mut Vec<f64>) -> R + Sync,
 ) -> Vec<R> {
-    parallel::map_with(points.len(), |(scratch, angles): &mut (Scratch, Vec<f64>), i| {
+    parallel::map_with(points.len(), parallel::QUICK, |(scratch, angles): &mut (Scratch, Vec<f64>), i| {
         of(points, graph, i, graph.hops(i, hops, scratch), angles)
     })
 }

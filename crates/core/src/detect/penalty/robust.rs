@@ -101,7 +101,7 @@ pub fn borders(points: &[[f64; 3]], graph: &Neighbors, scales: Scales, params: &
 
 /// Calls `of` with every point, block by block, in parallel.
 fn blocks(count: usize, of: impl Fn(usize, &mut Buffers, &mut Block) + Sync) -> Vec<Block> {
-    parallel::map_with(count.div_ceil(BLOCK), |buffers, b| {
+    parallel::map_with(count.div_ceil(BLOCK), parallel::TASK, |buffers, b| {
         let mut block = Block::default();
         (b * BLOCK..((b + 1) * BLOCK).min(count)).for_each(|i| of(i, buffers, &mut block));
         block

@@ -71,26 +71,30 @@ type Candidate = (u32, Option<Row>, Option<Row>);
 fn rows(surroundings: &Surroundings, marks: &Marks, params: &PenaltyParams) -> Vec<Candidate> {
     let Surroundings { points, graph, scales, least_fold, .. } = surroundings;
     type Buffers = (Scratch, CrossSection, Vec<f64>);
-    parallel::flat_map_with(points.len(), |(scratch, section, angles): &mut Buffers, i, out| {
-        let hops = surroundings.hops(i).max(2);
-        let wide = graph.hops(i, hops, scratch);
-        let border = may_be_border(points, i, graph.of(i))
-            .then(|| border(points, i, wide, scales.at(i), params, angles))
-            .flatten();
-        let score = f64::from(marks.score[i]);
-        let is_crease = score > CANDIDATE_SHARE * marks.threshold;
-        if !is_crease && border.is_none() {
-            return;
-        }
-        let sides = Sides::around(surroundings, i, graph.hops(i, hops - 1, scratch));
-        let fold = sides.fold();
-        let wide = graph.hops(i, hops, scratch);
-        let penalty = marks.threshold / (score + marks.threshold);
-        let crease = (is_crease && fold > FOLDED * least_fold)
-            .then(|| crease(surroundings, i, &sides, penalty, wide, section))
-            .flatten();
-        out.push((i as u32, crease, border.filter(|_| fold < HIDING_FOLD)));
-    })
+    parallel::flat_map_with(
+        points.len(),
+        parallel::QUICK,
+        |(scratch, section, angles): &mut Buffers, i, out| {
+            let hops = surroundings.hops(i).max(2);
+            let wide = graph.hops(i, hops, scratch);
+            let border = may_be_border(points, i, graph.of(i))
+                .then(|| border(points, i, wide, scales.at(i), params, angles))
+                .flatten();
+            let score = f64::from(marks.score[i]);
+            let is_crease = score > CANDIDATE_SHARE * marks.threshold;
+            if !is_crease && border.is_none() {
+                return;
+            }
+            let sides = Sides::around(surroundings, i, graph.hops(i, hops - 1, scratch));
+            let fold = sides.fold();
+            let wide = graph.hops(i, hops, scratch);
+            let penalty = marks.threshold / (score + marks.threshold);
+            let crease = (is_crease && fold > FOLDED * least_fold)
+                .then(|| crease(surroundings, i, &sides, penalty, wide, section))
+                .flatten();
+            out.push((i as u32, crease, border.filter(|_| fold < HIDING_FOLD)));
+        },
+    )
 }
 
 /// Whether the point is on the ridge of the score: no neighbour with a foot beside it, across the line, has a higher score (or

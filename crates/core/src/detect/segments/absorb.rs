@@ -18,7 +18,7 @@ pub fn absorb(
     graph: &Neighbors,
 ) -> Segmentation {
     for _ in 0..ROUNDS {
-        let taken = parallel::flat_map(points.len(), |i, taken| {
+        let taken = parallel::flat_map(points.len(), parallel::QUICK, |i, taken| {
             if !segments.large[segments.label[i] as usize] {
                 taken.extend(best(&segments, points, normals, graph.of(i), i).map(|label| (i, label)));
             }

@@ -24,7 +24,7 @@ pub fn too_noisy(segments: &Segmentation, k: usize) -> bool {
 
 /// The points, each moved to the least-squares plane of its neighbours.
 pub fn smoothed(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<[f64; 3]> {
-    parallel::map(points.len(), |i| {
+    parallel::map(points.len(), parallel::QUICK, |i| {
         let plane = ellipsoid(points, i, nearest.of(i));
         let normal = plane.axes.vectors[0];
         add_scaled(points[i], normal, dot(normal, sub(plane.centre, points[i])))
@@ -33,7 +33,7 @@ pub fn smoothed(points: &[[f64; 3]], nearest: &Neighbors) -> Vec<[f64; 3]> {
 
 /// `(N, 3)` normals of the least-squares planes through all points within `depth` edges of the rings.
 pub fn wide_normals(points: &[[f64; 3]], rings: &Neighbors, depth: usize) -> Vec<[f32; 3]> {
-    parallel::map_with(points.len(), |scratch: &mut Scratch, i| {
+    parallel::map_with(points.len(), parallel::QUICK, |scratch: &mut Scratch, i| {
         ellipsoid(points, i, rings.hops(i, depth, scratch)).axes.vectors[0].map(|x| x as f32)
     })
 }

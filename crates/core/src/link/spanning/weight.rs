@@ -31,15 +31,16 @@ pub(crate) fn candidate_edges(
     tau: f64,
     hops: usize,
 ) -> Vec<Candidate> {
-    let mut edges = parallel::flat_map_with(penalties.len(), |scratch: &mut Scratch, a, edges| {
-        let own = penalties.points[a];
-        let near = graph.hops(own as usize, hops, scratch).iter().filter(|&&other| other > own);
-        edges.extend(near.filter_map(|other| {
-            let b = penalties.points.binary_search(other).ok()?;
-            let density = [own, *other].map(|i| f64::from(density[i as usize]));
-            weigh(penalties, a, b, density, scales.between(own, *other), tau)
-        }));
-    });
+    let mut edges =
+        parallel::flat_map_with(penalties.len(), parallel::SLOW, |scratch: &mut Scratch, a, edges| {
+            let own = penalties.points[a];
+            let near = graph.hops(own as usize, hops, scratch).iter().filter(|&&other| other > own);
+            edges.extend(near.filter_map(|other| {
+                let b = penalties.points.binary_search(other).ok()?;
+                let density = [own, *other].map(|i| f64::from(density[i as usize]));
+                weigh(penalties, a, b, density, scales.between(own, *other), tau)
+            }));
+        });
     edges.par_sort_unstable_by(order);
     edges
 }

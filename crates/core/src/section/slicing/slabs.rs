@@ -17,7 +17,7 @@ impl Slabs {
         planes: &[f64],
         half: f64,
     ) -> Self {
-        let ranges = parallel::map(count, |i| {
+        let ranges = parallel::map(count, parallel::QUICK, |i| {
             let (low, high) = span(i);
             let first = planes.partition_point(|&z| z < low - half);
             (first, planes[first..].iter().take_while(|&&z| z <= high + half).count())

@@ -131,7 +131,7 @@ impl<'a> Slicer<'a> {
             (self.observe)((done.fetch_add(1, Relaxed) + 1) as f64 / order.len() as f64);
             section
         };
-        let mut sections = parallel::map(order.len(), cut);
+        let mut sections = parallel::map(order.len(), parallel::TASK, cut);
         sections.sort_by_key(|s| s.plane);
         sections
     }

@@ -40,11 +40,14 @@ pub(super) fn refine(
     tolerance: f64,
     runs: &mut Vec<Found>,
 ) {
-    let sizes = parallel::map(runs.len(), |r| Size::new(&runs[r], sections.spacing, tolerance));
+    let sizes =
+        parallel::map(runs.len(), parallel::TASK, |r| Size::new(&runs[r], sections.spacing, tolerance));
     let searches: Vec<Search> =
         runs.iter().zip(&sizes).flat_map(|(r, size)| searches(r, size, sections)).collect();
     let near = Ground::new(local, index, tiles, sections).near(&searches);
-    let mut ends = parallel::map(searches.len(), |k| end(&searches[k], &near[k], &sizes[k / 2], sections));
+    let mut ends = parallel::map(searches.len(), parallel::TASK, |k| {
+        end(&searches[k], &near[k], &sizes[k / 2], sections)
+    });
     let rims: Vec<bool> = ends.iter().map(|e| e.is_some_and(|e| e.by == By::Rim)).collect();
     for k in 1..runs.len() {
         if runs[k - 1].joins_next {

@@ -36,7 +36,8 @@ pub(super) fn mirrors(levels: &[Vec<Profile>], sections: &Sections, tolerance: f
         (residual <= enough).then_some((residual, angle))
     };
     let candidates = candidates(&off, enough);
-    let mut found = parallel::flat_map(candidates.len(), |c, found| found.extend(sure(candidates[c])));
+    let mut found =
+        parallel::flat_map(candidates.len(), parallel::TASK, |c, found| found.extend(sure(candidates[c])));
     found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
     found.truncate(MOST_MIRRORS);
     let mirror = |(residual, angle): (f64, f64)| {
@@ -54,13 +55,13 @@ pub(super) fn mirrors(levels: &[Vec<Profile>], sections: &Sections, tolerance: f
 /// The angles at which mirrored contours come nearest, and near enough.
 fn candidates(off: &(impl Fn(f64) -> f64 + Sync), enough: f64) -> Vec<f64> {
     let step = std::f64::consts::PI / ANGLES as f64;
-    let coarse = parallel::map(ANGLES, |k| off(k as f64 * step));
+    let coarse = parallel::map(ANGLES, parallel::TASK, |k| off(k as f64 * step));
     let lowest = |k: &usize| {
         let (before, after) = (coarse[(k + ANGLES - 1) % ANGLES], coarse[(k + 1) % ANGLES]);
         coarse[*k] < before && coarse[*k] <= after
     };
     let lows: Vec<usize> = (0..ANGLES).filter(lowest).collect();
-    let fine = parallel::map(lows.len(), |l| least(off, lows[l] as f64 * step, step));
+    let fine = parallel::map(lows.len(), parallel::TASK, |l| least(off, lows[l] as f64 * step, step));
     fine.into_iter().filter(|(_, residual)| *residual <= 1.5 * enough).map(|(angle, _)| angle).collect()
 }
 

@@ -59,7 +59,7 @@ pub(super) fn order(sections: &Sections) -> Vec<usize> {
 
 /// The closed contours of each plane.
 pub(super) fn levels(sections: &Sections, order: &[usize], tolerance: f64) -> Vec<Vec<Profile>> {
-    parallel::map(order.len(), |k| {
+    parallel::map(order.len(), parallel::TASK, |k| {
         let plane = order[k];
         let contours = sections.sections[plane].contours.iter().enumerate();
         contours.filter(|(_, c)| c.closed).map(|(i, _)| profile(sections, plane, i, tolerance)).collect()

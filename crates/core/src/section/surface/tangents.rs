@@ -104,7 +104,7 @@ fn adopt_all<'a>(
 ) -> TangentPlanes<'a> {
     own.planes.reserve_exact(fits.iter().map(|f| f.planes.len()).sum());
     fits.iter().for_each(|f| own.planes.extend_from_slice(&f.planes));
-    let better = parallel::map(fits.len(), |f| {
+    let better = parallel::map(fits.len(), parallel::TASK, |f| {
         let mut start = 0;
         let visit = |&(i, count): &(u32, u32)| {
             let ids = &fits[f].near[start..start + count as usize];

@@ -66,13 +66,13 @@ impl<'a> Ground<'a> {
 
     /// The points that each search looks at, going away from its slice.
     pub(super) fn near(&self, searches: &[Search]) -> Vec<Vec<Spot>> {
-        let leaves = parallel::map(searches.len(), |s| self.leaves(&searches[s]));
+        let leaves = parallel::map(searches.len(), parallel::TASK, |s| self.leaves(&searches[s]));
         let mut wanted: Vec<u32> = leaves.iter().flatten().copied().collect();
         wanted.sort_unstable();
         wanted.dedup();
         let planes =
             tangent_planes(&self.local.positions, self.index, self.tiles, &wanted, self.sections.noise);
-        parallel::map(searches.len(), |s| {
+        parallel::map(searches.len(), parallel::TASK, |s| {
             let search = &searches[s];
             let ids = leaves[s].iter().flat_map(|&l| self.index.leaves[l as usize].ids());
             let mut spots: Vec<(u32, Spot)> =
