@@ -1,4 +1,5 @@
-//! Parts of many kinds are named as what they are: `naming_table` in `tools/` tells more of each.
+//! Parts of many kinds are named as what they are. Some of the parts, to keep the tests short: `naming_table` in `tools/` takes all,
+//! with several seeds, noises and numbers of slices.
 
 #[path = "naming/judge.rs"]
 mod judge;
@@ -34,7 +35,7 @@ fn cut(cloud: &Cloud, axis: Axis, count: usize) -> (Sections, Stack) {
 
 #[test]
 fn every_feature_is_named_and_nothing_else() {
-    let verdicts = verdicts(parts::parts(), 0.1, 37);
+    let verdicts = verdicts(parts::parts().into_iter().step_by(3).collect(), 0.1, 37);
     for (view, verdict) in &verdicts {
         assert!(verdict.missing.is_empty(), "{view}: {:?} missing", verdict.missing);
         assert!(verdict.extra.is_empty(), "{view}: {:?} are not there", verdict.extra);
@@ -46,7 +47,7 @@ fn every_feature_is_named_and_nothing_else() {
     let ends: Vec<_> = verdicts.iter().flat_map(|v| &v.1.ends).collect();
     let within = ends.iter().filter(|e| e.error.abs() <= 0.1).count();
     let stated = ends.iter().filter(|e| e.error.abs() <= 2.0 * e.stated).count();
-    assert!(ends.len() > 150 && within * 100 >= ends.len() * 95, "{within} of {}", ends.len());
+    assert!(ends.len() > 50 && within * 100 >= ends.len() * 95, "{within} of {}", ends.len());
     assert!(stated * 100 >= ends.len() * 85, "{stated} of {} within what is stated", ends.len());
 }
 
@@ -83,8 +84,9 @@ fn a_chamfer_with_a_slice_beside_its_fold_is_named() {
 #[test]
 fn parts_kept_out_are_named_too() {
     // The wedges beside a dovetail's groove want more slices than two.
-    let newest = verdicts(parts::newest(), 0.0, 81);
-    for (view, verdict) in verdicts(parts::held_out(), 0.0, 37).into_iter().chain(newest) {
+    let newest = verdicts(parts::newest().into_iter().step_by(2).collect(), 0.0, 81);
+    let older = verdicts(parts::held_out().into_iter().step_by(2).collect(), 0.0, 37);
+    for (view, verdict) in older.into_iter().chain(newest) {
         assert!(verdict.missing.is_empty(), "{view}: {:?} missing", verdict.missing);
         assert!(verdict.extra.is_empty(), "{view}: {:?} are not there", verdict.extra);
     }
