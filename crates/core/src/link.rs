@@ -4,6 +4,7 @@
 //! both call in their robust forms.
 
 pub(crate) mod clusters;
+pub(crate) mod edgelets;
 mod lines;
 mod repair;
 mod spanning;
