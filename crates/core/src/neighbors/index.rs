@@ -87,6 +87,28 @@ impl Index {
         out.sort_unstable_by(Found::order);
     }
 
+    /// Passes all points within `radius` of `query`, the bound included, to `take`, in an order that depends on the points alone.
+    pub fn around(&self, query: [f64; 3], radius: f64, mut take: impl FnMut(Found)) {
+        let bound = radius * radius;
+        let mut stack: Vec<(usize, u32)> = vec![(self.levels.len(), 0)];
+        while let Some((level, entry)) = stack.pop() {
+            let Some(node) = level.checked_sub(1).and_then(|l| self.levels.get(l)?.get(entry as usize)) else {
+                let Some(leaf) = self.leaves.get(entry as usize) else { continue };
+                for (lane, &distance2) in leaf.distances2(query).iter().enumerate() {
+                    if distance2 <= bound {
+                        take(Found { distance2, index: leaf.id[lane] });
+                    }
+                }
+                continue;
+            };
+            for (child, &d) in node.distances2(query).iter().enumerate() {
+                if d <= bound {
+                    stack.push((level - 1, entry * WIDTH as u32 + child as u32));
+                }
+            }
+        }
+    }
+
     /// Passes every point that can be within the squared distance `bound` to `take`, near boxes first; `take` returns the new
     /// bound.
     fn visit(&self, query: [f64; 3], mut bound: f64, mut take: impl FnMut(Found) -> f64) {

@@ -1,7 +1,7 @@
 //! Chains of edgelets beside the strips: strips are put on them, and chains that no strip follows become strips.
 
 use super::chain::{Chain, chains, distinct};
-use super::env;
+use super::knobs;
 use super::field::field;
 use super::pieces::{Edgelet, corners};
 use super::section::section;
@@ -20,13 +20,13 @@ pub(crate) fn edgelets(lines: &mut LineGraph, points: &[[f64; 3]], normals: &[[f
     let all: Vec<Edgelet> = seeds
         .par_iter()
         .with_min_len(4)
-        .map_init(Vec::new, |found, &i| corners(&section(points, &field, &index, scales, i, found)))
+        .map(|&i| corners(&section(points, &field, &index, scales, i)))
         .flatten_iter()
         .collect();
     let h = scales.mean.spacing;
     let kept = distinct(&all, h);
     let chains = chains(&kept, h);
-    if env("VERBOSE", 0.0) > 0.0 {
+    if knobs().verbose > 0.0 {
         let active = field.grade.iter().filter(|&&g| g > 0.0).count();
         eprintln!("active {active} seeds {} edgelets {} kept {} chains {} field {t1:?} all {:?}", seeds.len(), all.len(), kept.len(), chains.len(), start.elapsed());
     }
@@ -34,7 +34,7 @@ pub(crate) fn edgelets(lines: &mut LineGraph, points: &[[f64; 3]], normals: &[[f
         let rows = kept.iter().flat_map(|e| e.place.into_iter().chain(e.along).chain(e.arms[0]).chain(e.arms[1]).chain([e.weight]));
         let _ = std::fs::write(path, rows.flat_map(f64::to_le_bytes).collect::<Vec<u8>>());
     }
-    if env("ONLY", 0.0) > 0.0 {
+    if knobs().only > 0.0 {
         *lines = LineGraph::default();
     }
     apply(lines, points, &index, &chains, h);
@@ -44,12 +44,12 @@ fn seeds(points: &[[f64; 3]], grade: &[f32], index: &Index, scales: Scales) -> V
     let mut found: Vec<Found> = Vec::new();
     let mut gone = vec![false; points.len()];
     let mut seeds = Vec::new();
-    let least = env("GRADE", 0.7) as f32;
+    let least = knobs().grade as f32;
     for i in 0..points.len() {
         if grade[i] < least || gone[i] {
             continue;
         }
-        index.within(points[i], env("THIN", 0.7) * scales.at(i).spacing, &mut found);
+        index.within(points[i], knobs().thin * scales.at(i).spacing, &mut found);
         found.iter().for_each(|f| gone[f.index as usize] = true);
         seeds.push(i);
     }
@@ -84,7 +84,7 @@ fn samples(chains: &[Chain], h: f64) -> Samples {
 fn apply(lines: &mut LineGraph, points: &[[f64; 3]], index: &Index, chains: &[Chain], h: f64) {
     let samples = samples(chains, h);
     let mut found: Vec<Found> = Vec::new();
-    if !samples.places.is_empty() && env("SNAP", 1.0) > 0.0 {
+    if !samples.places.is_empty() && knobs().snap > 0.0 {
         snap(lines, &samples, h);
     }
     let mut own: Vec<[f64; 3]> = Vec::new();
@@ -96,7 +96,7 @@ fn apply(lines: &mut LineGraph, points: &[[f64; 3]], index: &Index, chains: &[Ch
         }
     }
     let taken = (!own.is_empty()).then(|| Index::build(&own));
-    let clear = env("CLEAR", 0.5) * h;
+    let clear = knobs().clear * h;
     for chain in chains {
         let free: Vec<bool> = chain
             .places
@@ -122,7 +122,7 @@ fn apply(lines: &mut LineGraph, points: &[[f64; 3]], index: &Index, chains: &[Ch
             }
             let run = &chain.places[from..i];
             let length: f64 = run.windows(2).map(|w| distance(w[0], w[1])).sum();
-            if length < env("RUN", 4.0) * h {
+            if length < knobs().run * h {
                 continue;
             }
             let added: Vec<u32> = run
@@ -147,7 +147,7 @@ fn apply(lines: &mut LineGraph, points: &[[f64; 3]], index: &Index, chains: &[Ch
 fn snap(lines: &mut LineGraph, samples: &Samples, h: f64) {
     let index = Index::build(&samples.places);
     let mut found: Vec<Found> = Vec::new();
-    let reach = env("REACH", 1.0) * h;
+    let reach = knobs().reach * h;
     let moved: Vec<Option<[f64; 3]>> = (0..lines.positions.len())
         .map(|v| {
             let p = lines.positions[v];

@@ -1,6 +1,6 @@
 //! Edgelets joined to chains.
 
-use super::env;
+use super::knobs;
 use super::pieces::Edgelet;
 use crate::math::vec3::{add_scaled, cross, dot, norm, sub};
 use crate::neighbors::{Found, Index};
@@ -51,7 +51,7 @@ pub(super) fn distinct(all: &[Edgelet], h: f64) -> Vec<Edgelet> {
             }
         }
         gone[k] = true;
-        if like >= env("LIKE", 3.0) as i32 {
+        if like >= knobs().like as i32 {
             kept.push(Edgelet { place: add_scaled(e.place, sum, 1.0 / weight), weight, ..e });
         }
     }
@@ -116,7 +116,7 @@ pub(super) fn chains(kept: &[Edgelet], h: f64) -> Vec<Chain> {
         }
         let places: Vec<[f64; 3]> = path.iter().map(|&j| kept[j].place).collect();
         let length: f64 = places.windows(2).map(|w| norm(sub(w[1], w[0]))).sum();
-        if length >= env("CHAIN", 5.0) * h {
+        if length >= knobs().chain * h {
             chains.push(Chain { places, closed });
         }
     }

@@ -1,8 +1,8 @@
 //! Smooth pieces of a cross-section and the corners between them.
 
-use super::env;
+use super::knobs;
+use super::moments::{Moments, Parabola};
 use super::section::{Across, Section};
-use crate::math::least_squares::least_squares;
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::add_scaled;
 
@@ -31,55 +31,27 @@ pub(super) struct Edgelet {
 /// `y = c0 + c1 x + c2 x^2` over an axis.
 #[derive(Clone, Copy)]
 struct Curve {
-    origin: P2,
     axis: P2,
     c: [f64; 3],
-    cost: f64,
     count: f64,
     extent: [f64; 2],
 }
 
 impl Curve {
     fn fit(points: &[Across], of: &[u32], variance: f64) -> Option<Curve> {
-        let n = of.len() as f64;
-        let raw = |&i: &u32| points[i as usize].raw;
-        let sum = of.iter().map(raw).fold([0.0; 2], |s, p| [s[0] + p[0], s[1] + p[1]]);
-        let origin = [sum[0] / n, sum[1] / n];
-        // The axis from the normals and the spread of the points.
-        let mut m = [0.0; 3];
-        for i in of {
-            let d = sub(raw(i), origin);
-            let k = points[*i as usize].normal;
-            m[0] += d[0] * d[0] + 0.3 * k[1] * k[1];
-            m[1] += d[0] * d[1] - 0.3 * k[0] * k[1];
-            m[2] += d[1] * d[1] + 0.3 * k[0] * k[0];
-        }
-        let angle = 0.5 * (2.0 * m[1]).atan2(m[0] - m[2]);
-        let axis = [angle.cos(), angle.sin()];
-        let local = |i: &u32| {
-            let d = sub(raw(i), origin);
-            (dot(d, axis), axis[0] * d[1] - axis[1] * d[0])
-        };
-        let prior = variance.sqrt() / env("CURVE", 0.08);
-        let slope = variance.sqrt() / 0.5;
-        let rows = of.iter().map(|i| {
-            let (x, y) = local(i);
-            ([1.0, x, x * x], y)
-        });
-        let c = least_squares(rows.chain([([0.0, 0.0, prior], 0.0), ([0.0, slope, 0.0], 0.0)]))?;
-        let mut cost = (prior * c[2]).powi(2) + (slope * c[1]).powi(2);
+        let mut moments = Moments::default();
+        of.iter().for_each(|&i| moments.add(&points[i as usize]));
+        let Parabola { axis, c, .. } = moments.fit(variance)?;
         let mut extent = [f64::INFINITY, f64::NEG_INFINITY];
-        for i in of {
-            let (x, y) = local(i);
-            cost += (y - c[0] - c[1] * x - c[2] * x * x).powi(2);
+        for &i in of {
+            let x = dot(points[i as usize].raw, axis);
             extent = [extent[0].min(x), extent[1].max(x)];
         }
-        Some(Curve { origin, axis, c, cost: cost / variance, count: n, extent })
+        Some(Curve { axis, c, count: of.len() as f64, extent })
     }
 
     fn value(&self, p: P2) -> (f64, P2, f64) {
-        let d = sub(p, self.origin);
-        let (x, y) = (dot(d, self.axis), self.axis[0] * d[1] - self.axis[1] * d[0]);
+        let (x, y) = (dot(p, self.axis), self.axis[0] * p[1] - self.axis[1] * p[0]);
         let slope = self.c[1] + 2.0 * self.c[2] * x;
         let f = y - self.c[0] - self.c[1] * x - self.c[2] * x * x;
         // Gradient: the left normal less the slope along the axis.
@@ -132,22 +104,66 @@ struct Link {
 
 const NEAR: usize = 6;
 
+/// Points of a section in square cells.
+struct Cells {
+    size: f64,
+    wide: usize,
+    first: Vec<u32>,
+    order: Vec<u32>,
+}
+
+const HALF_WIDTH: f64 = 5.0;
+
+impl Cells {
+    fn new(points: &[Across], size: f64) -> Cells {
+        let wide = (2.0 * HALF_WIDTH / size).ceil() as usize + 1;
+        let mut cells = Cells { size, wide, first: vec![0; wide * wide + 1], order: vec![0; points.len()] };
+        let of: Vec<usize> = points.iter().map(|p| cells.row(p.place[1]) * wide + cells.row(p.place[0])).collect();
+        of.iter().for_each(|&c| cells.first[c + 1] += 1);
+        (0..wide * wide).for_each(|c| cells.first[c + 1] += cells.first[c]);
+        let mut next = cells.first.clone();
+        for (i, &c) in of.iter().enumerate() {
+            cells.order[next[c] as usize] = i as u32;
+            next[c] += 1;
+        }
+        cells
+    }
+
+    fn row(&self, x: f64) -> usize {
+        (((x + HALF_WIDTH) / self.size).max(0.0) as usize).min(self.wide - 1)
+    }
+
+    fn near(&self, p: P2) -> impl Iterator<Item = usize> + '_ {
+        let (x, y) = (self.row(p[0]), self.row(p[1]));
+        (y.saturating_sub(1)..(y + 2).min(self.wide)).flat_map(move |r| {
+            let from = self.first[r * self.wide + x.saturating_sub(1)] as usize;
+            let to = self.first[r * self.wide + (x + 2).min(self.wide)] as usize;
+            self.order[from..to].iter().map(|&i| i as usize)
+        })
+    }
+}
+
 fn links(points: &[Across], noise: f64) -> Vec<Link> {
-    let n = points.len();
-    let mut links = Vec::new();
     let farthest = 0.7 + noise;
+    let cells = Cells::new(points, farthest);
+    let mut links = Vec::with_capacity(points.len() * NEAR);
     let mut near: Vec<(f64, usize)> = Vec::new();
-    for i in 0..n {
+    for i in 0..points.len() {
         near.clear();
-        for j in 0..n {
-            let d = norm(sub(points[i].place, points[j].place));
-            if j != i && d < farthest {
-                near.push((d, j));
+        for j in cells.near(points[i].place) {
+            let d = sub(points[i].place, points[j].place);
+            let d2 = dot(d, d);
+            if j != i && d2 < farthest * farthest {
+                near.push((d2, j));
             }
         }
-        near.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
-        near.truncate(NEAR);
-        for &(d, j) in &near {
+        let order = |x: &(f64, usize), y: &(f64, usize)| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1));
+        if near.len() > NEAR {
+            near.select_nth_unstable_by(NEAR, order);
+            near.truncate(NEAR);
+        }
+        for &(d2, j) in &near {
+            let d = d2.sqrt();
             let (p, q) = (&points[i], &points[j]);
             let step = sub(q.place, p.place);
             let off = dot(p.normal, step).abs().min(dot(q.normal, step).abs());
@@ -156,13 +172,13 @@ fn links(points: &[Across], noise: f64) -> Vec<Link> {
             links.push(Link { a: i.min(j) as u32, b: i.max(j) as u32, weight: angle + 3.0 * over });
         }
     }
-    links.sort_by(|x, y| x.weight.total_cmp(&y.weight).then((x.a, x.b).cmp(&(y.a, y.b))));
+    links.sort_unstable_by(|x, y| x.weight.total_cmp(&y.weight).then((x.a, x.b).cmp(&(y.a, y.b))));
     links.dedup_by(|x, y| (x.a, x.b) == (y.a, y.b));
     links
 }
 
 fn grow(points: usize, links: &[Link]) -> Vec<u32> {
-    let growth = env("GROWTH", 50.0).to_radians();
+    let growth = knobs().growth.to_radians();
     let mut sets = UnionFind::new(points);
     let mut inner = vec![0.0; points];
     for l in links {
@@ -195,34 +211,62 @@ fn members(label: &[u32]) -> Vec<(u32, Vec<u32>)> {
 
 /// Merges pieces as long as one curve describes two of them as well as two do.
 fn merge(points: &[Across], links: &[Link], label: &mut [u32], variance: f64) {
-    let limit = env("PIECE", 14.0);
+    let limit = knobs().piece;
+    let pieces = members(label);
+    let mut of = vec![0u32; label.len()];
+    let mut sets: Vec<Vec<u32>> = Vec::with_capacity(pieces.len());
+    for (k, (_, list)) in pieces.into_iter().enumerate() {
+        list.iter().for_each(|&i| of[i as usize] = k as u32);
+        sets.push(list);
+    }
+    let cost = |m: &Moments| m.fit(variance).map_or(f64::INFINITY, |p| p.cost);
+    let mut sums: Vec<Moments> = vec![Moments::default(); sets.len()];
+    for (m, set) in sums.iter_mut().zip(&sets) {
+        set.iter().for_each(|&i| m.add(&points[i as usize]));
+    }
+    let mut costs: Vec<f64> = sums.iter().map(cost).collect();
+    let mut beside: Vec<std::collections::BTreeSet<usize>> = vec![Default::default(); sets.len()];
+    for l in links {
+        let (a, b) = (of[l.a as usize] as usize, of[l.b as usize] as usize);
+        if a != b {
+            beside[a].insert(b);
+            beside[b].insert(a);
+        }
+    }
+    let loss = |sums: &[Moments], costs: &[f64], a: usize, b: usize| cost(&sums[a].with(&sums[b])) - costs[a] - costs[b];
+    let mut losses: std::collections::BTreeMap<(usize, usize), f64> = Default::default();
+    for a in 0..sets.len() {
+        for &b in beside[a].range(a + 1..) {
+            losses.insert((a, b), loss(&sums, &costs, a, b));
+        }
+    }
     loop {
-        let pieces = members(label);
-        let of = |l: u32| pieces.iter().position(|p| p.0 == l).unwrap_or(0);
-        let curves: Vec<Option<Curve>> = pieces.iter().map(|p| Curve::fit(points, &p.1, variance)).collect();
-        let mut pairs: Vec<(usize, usize)> = links
-            .iter()
-            .filter(|l| label[l.a as usize] != label[l.b as usize])
-            .map(|l| {
-                let (a, b) = (of(label[l.a as usize]), of(label[l.b as usize]));
-                (a.min(b), a.max(b))
-            })
-            .collect();
-        pairs.sort_unstable();
-        pairs.dedup();
-        let mut best: Option<(f64, usize, usize)> = None;
-        for (a, b) in pairs {
-            let (Some(ca), Some(cb)) = (curves[a], curves[b]) else { continue };
-            let both: Vec<u32> = pieces[a].1.iter().chain(&pieces[b].1).copied().collect();
-            let Some(joint) = Curve::fit(points, &both, variance) else { continue };
-            let loss = joint.cost - ca.cost - cb.cost;
-            if loss < limit && best.is_none_or(|x| loss < x.0) {
-                best = Some((loss, a, b));
+        let best = losses.iter().min_by(|x, y| x.1.total_cmp(y.1).then(x.0.cmp(y.0))).map(|(&k, &v)| (k, v));
+        let Some(((a, b), least)) = best else { break };
+        if least >= limit {
+            break;
+        }
+        let moved = std::mem::take(&mut sets[b]);
+        sets[a].extend(moved);
+        sums[a] = sums[a].with(&sums[b]);
+        costs[a] = cost(&sums[a]);
+        let others: Vec<usize> = beside[b].iter().copied().collect();
+        for &o in &others {
+            losses.remove(&(b.min(o), b.max(o)));
+            beside[o].remove(&b);
+            if o != a {
+                beside[o].insert(a);
+                beside[a].insert(o);
             }
         }
-        let Some((_, a, b)) = best else { return };
-        let (to, from) = (pieces[a].0, pieces[b].0);
-        label.iter_mut().filter(|l| **l == from).for_each(|l| *l = to);
+        beside[b].clear();
+        let others: Vec<usize> = beside[a].iter().copied().collect();
+        for o in others {
+            losses.insert((a.min(o), a.max(o)), loss(&sums, &costs, a, o));
+        }
+    }
+    for (k, set) in sets.iter().enumerate() {
+        set.iter().for_each(|&i| label[i as usize] = k as u32);
     }
 }
 
@@ -259,7 +303,7 @@ pub(super) fn corners(section: &Section) -> Vec<Edgelet> {
     if points.len() < 20 {
         return Vec::new();
     }
-    let variance = section.noise.powi(2) + env("MODEL", 0.06).powi(2);
+    let variance = section.noise.powi(2) + knobs().model.powi(2);
     let links = links(points, section.noise);
     let mut label = grow(points.len(), &links);
     merge(points, &links, &mut label, variance);
@@ -270,8 +314,8 @@ pub(super) fn corners(section: &Section) -> Vec<Edgelet> {
     let pieces = members(&label);
     let curves: Vec<Option<Curve>> = pieces.iter().map(|p| Curve::fit(points, &p.1, variance)).collect();
     let mut found = Vec::new();
-    let least = env("FOLD", 28.0);
-    let shortest = env("SHORT", 0.8) + section.noise;
+    let least = knobs().fold;
+    let shortest = knobs().short + section.noise;
     for a in 0..pieces.len() {
         for b in a + 1..pieces.len() {
             let (Some(ca), Some(cb)) = (curves[a], curves[b]) else { continue };
@@ -294,7 +338,7 @@ pub(super) fn corners(section: &Section) -> Vec<Edgelet> {
             let middle = [sum[0] / n, sum[1] / n];
             let Some(p) = meet(&ca, &cb, middle) else { continue };
             let gap = 0.6 + 2.0 * section.noise;
-            if norm(sub(p, middle)) > gap || norm(p) > env("CENTRE", 2.5) || ca.offset(p).max(cb.offset(p)) > gap {
+            if norm(sub(p, middle)) > gap || norm(p) > knobs().centre || ca.offset(p).max(cb.offset(p)) > gap {
                 continue;
             }
             let (x, y) = (ca.arm(p), cb.arm(p));

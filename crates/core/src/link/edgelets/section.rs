@@ -1,9 +1,9 @@
 //! The points beside a line of the field, in the plane across it.
 
-use super::env;
+use super::knobs;
 use super::field::Field;
 use crate::math::vec3::{add_scaled, cross, dot, norm, scale, sub, unit};
-use crate::neighbors::{Found, Index};
+use crate::neighbors::Index;
 use crate::surface::Scales;
 
 /// A point across the line, in spacings, with its denoised place and normal there.
@@ -31,11 +31,11 @@ struct Station {
     axes: [[f64; 3]; 3],
 }
 
-pub(super) fn section(points: &[[f64; 3]], field: &Field, index: &Index, scales: Scales, seed: usize, found: &mut Vec<Found>) -> Section {
+pub(super) fn section(points: &[[f64; 3]], field: &Field, index: &Index, scales: Scales, seed: usize) -> Section {
     let r = scales.at(seed);
     let h = r.spacing;
     let noise = r.noise / h;
-    let reach = (4.0 + env("HALF", 20.0) * noise).clamp(4.0, 9.0) as usize;
+    let reach = (4.0 + knobs().half * noise).clamp(4.0, 9.0) as usize;
     let t = field.along[seed];
     let u = unit(add_scaled(field.normal[seed], t, -dot(field.normal[seed], t)));
     let start = Station { place: field.place[seed], axes: [t, u, cross(t, u)] };
@@ -43,7 +43,7 @@ pub(super) fn section(points: &[[f64; 3]], field: &Field, index: &Index, scales:
     for sign in [-1.0, 1.0] {
         let mut at = Station { place: start.place, axes: start.axes };
         for _ in 0..reach {
-            let Some(next) = step(points, field, index, &at, sign * h, found) else { break };
+            let Some(next) = step(field, index, &at, sign * h) else { break };
             at = Station { place: next.place, axes: next.axes };
             stations.push(next);
         }
@@ -52,46 +52,43 @@ pub(super) fn section(points: &[[f64; 3]], field: &Field, index: &Index, scales:
     stations.push(start);
     let mut across = Vec::new();
     for s in &stations {
-        index.within(s.place, WIDE * h, found);
-        for f in found.iter() {
+        index.around(s.place, WIDE * h, |f| {
             let j = f.index as usize;
             let d = scale(sub(points[j], s.place), 1.0 / h);
             if !(-0.5..0.5).contains(&dot(d, s.axes[0])) {
-                continue;
+                return;
             }
             let q = scale(sub(field.place[j], s.place), 1.0 / h);
             let [_, u, v] = s.axes;
             let n = [dot(field.normal[j], u), dot(field.normal[j], v)];
             let length = (n[0] * n[0] + n[1] * n[1]).sqrt();
             if length < 0.7 {
-                continue;
+                return;
             }
             across.push(Across {
                 raw: [dot(d, u), dot(d, v)],
                 place: [dot(q, u), dot(q, v)],
                 normal: [n[0] / length, n[1] / length],
             });
-        }
+        });
     }
     Section { origin: field.place[seed], axes, unit: h, noise, points: across, stations: stations.len() }
 }
 
 /// One step along the field, by the direction in its middle.
-fn step(points: &[[f64; 3]], field: &Field, index: &Index, at: &Station, length: f64, found: &mut Vec<Found>) -> Option<Station> {
+fn step(field: &Field, index: &Index, at: &Station, length: f64) -> Option<Station> {
     let h = length.abs();
     let t0 = at.axes[0];
-    let mut direction = |p: [f64; 3], near: [f64; 3]| -> Option<[f64; 3]> {
-        index.within(p, 2.0 * h, found);
+    let direction = |p: [f64; 3], near: [f64; 3]| -> Option<[f64; 3]> {
         let mut sum = [0.0; 3];
         let mut n = 0.0;
-        for f in found.iter() {
+        index.around(p, 2.0 * h, |f| {
             let j = f.index as usize;
             let c = dot(field.along[j], near);
             let w = f64::from(field.grade[j]) * (-f.distance2 / (h * h)).exp();
             sum = add_scaled(sum, field.along[j], w * c.signum());
             n += w;
-        }
-        let _ = points;
+        });
         (n > 0.3 && norm(sum) > 0.8 * n).then(|| unit(sum))
     };
     let half = direction(add_scaled(at.place, t0, 0.5 * length), t0)?;
