@@ -3,8 +3,8 @@
 //! As printed: `spanning` (Gumhold 2001, sections 3.2 and 3.3) and `clusters` (Demarsin et al. 2007). Ours: `repair`, which
 //! both call in their robust forms.
 
+mod chains;
 pub(crate) mod clusters;
-pub(crate) mod edgelets;
 mod lines;
 mod repair;
 mod spanning;

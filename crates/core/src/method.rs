@@ -34,11 +34,7 @@ pub(crate) fn link(
     match params.method {
         Method::Penalty | Method::Projection => {
             let rule = cycle_rule(cloud, params);
-            let mut pattern = link::link(&cloud.graph, measure, cloud.scales(), params, rule);
-            if std::env::var("EDGELETS").is_ok() && !measure.normal.is_empty() {
-                link::edgelets::edgelets(&mut pattern.crease, &cloud.positions, &measure.normal, cloud.scales());
-            }
-            (pattern, None)
+            (link::link(&cloud.positions, &cloud.graph, measure, cloud.scales(), params, rule), None)
         }
         Method::Segments => {
             let (pattern, stages) = segments::link(cloud, measure, params, cycle_rule(cloud, params));

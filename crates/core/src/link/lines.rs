@@ -15,6 +15,7 @@ const ROBUST_BORDER_HOPS: usize = 2;
 
 /// Links the candidates of both kinds into a pattern.
 pub(crate) fn link(
+    graph_positions: &[[f64; 3]],
     graph: &Neighbors,
     measure: &Measure,
     scales: Scales,
@@ -33,7 +34,24 @@ pub(crate) fn link(
     };
     match rule.form {
         PenaltyForm::Paper => {}
-        PenaltyForm::Robust => dock(&mut pattern, scales),
+        PenaltyForm::Robust => {
+            if std::env::var("EDGELETS").is_ok() && !measure.normal.is_empty() {
+                let positions = graph_positions;
+                let found = crate::detect::edgelets::edgelets(positions, &measure.normal, scales);
+                let chains = super::chains::chains(&found);
+                if crate::detect::edgelets::knob("ONLY", 0.0) > 0.0 {
+                    pattern.crease = LineGraph::default();
+                }
+                let index = crate::neighbors::Index::build(positions);
+                super::chains::apply(&mut pattern.crease, &index, &chains, scales.mean.spacing);
+                if crate::detect::edgelets::knob("BRIDGE", 0.0) > 0.0 {
+                    super::repair::bridge(&mut pattern.crease, StripKind::Crease, scales, repair);
+                    prune(&mut pattern.crease, rule.of(StripKind::Crease));
+                    super::repair::corners(&mut pattern.crease, StripKind::Crease, scales, repair);
+                }
+            }
+            dock(&mut pattern, scales)
+        }
     }
     pattern
 }

@@ -89,22 +89,32 @@ impl Index {
 
     /// Passes all points within `radius` of `query`, the bound included, to `take`, in an order that depends on the points alone.
     pub fn around(&self, query: [f64; 3], radius: f64, mut take: impl FnMut(Found)) {
-        let bound = radius * radius;
-        let mut stack: Vec<(usize, u32)> = vec![(self.levels.len(), 0)];
-        while let Some((level, entry)) = stack.pop() {
-            let Some(node) = level.checked_sub(1).and_then(|l| self.levels.get(l)?.get(entry as usize)) else {
-                let Some(leaf) = self.leaves.get(entry as usize) else { continue };
-                for (lane, &distance2) in leaf.distances2(query).iter().enumerate() {
-                    if distance2 <= bound {
-                        take(Found { distance2, index: leaf.id[lane] });
-                    }
+        if !self.is_empty() {
+            self.descend(query, radius * radius, self.levels.len(), 0, &mut take);
+        }
+    }
+
+    /// Passes the points within the squared distance `bound` below an entry of a level to `take`; level 0 are the leaves.
+    fn descend(
+        &self,
+        query: [f64; 3],
+        bound: f64,
+        level: usize,
+        entry: usize,
+        take: &mut impl FnMut(Found),
+    ) {
+        let Some(below) = level.checked_sub(1) else {
+            let leaf = &self.leaves[entry];
+            for (lane, &distance2) in leaf.distances2(query).iter().enumerate() {
+                if distance2 <= bound && distance2 < f64::INFINITY {
+                    take(Found { distance2, index: leaf.id[lane] });
                 }
-                continue;
-            };
-            for (child, &d) in node.distances2(query).iter().enumerate() {
-                if d <= bound {
-                    stack.push((level - 1, entry * WIDTH as u32 + child as u32));
-                }
+            }
+            return;
+        };
+        for (child, &d) in self.levels[below][entry].distances2(query).iter().enumerate() {
+            if d <= bound && d < f64::INFINITY {
+                self.descend(query, bound, below, entry * WIDTH + child, take);
             }
         }
     }

@@ -1,60 +1,10 @@
 //! Chains of edgelets beside the strips: strips are put on them, and chains that no strip follows become strips.
 
-use super::chain::{Chain, chains, distinct};
-use super::knobs;
-use super::field::field;
-use super::pieces::{Edgelet, corners};
-use super::section::section;
+use super::chain::Chain;
+use crate::detect::edgelets::knob;
 use crate::math::vec3::{add_scaled, distance, dot, norm, sub};
 use crate::neighbors::{Found, Index};
 use crate::pattern::LineGraph;
-use crate::surface::Scales;
-use rayon::prelude::*;
-
-pub(crate) fn edgelets(lines: &mut LineGraph, points: &[[f64; 3]], normals: &[[f32; 3]], scales: Scales) {
-    let start = std::time::Instant::now();
-    let index = Index::build(points);
-    let field = field(points, normals, &index, scales);
-    let t1 = start.elapsed();
-    let seeds = seeds(points, &field.grade, &index, scales);
-    let all: Vec<Edgelet> = seeds
-        .par_iter()
-        .with_min_len(4)
-        .map(|&i| corners(&section(points, &field, &index, scales, i)))
-        .flatten_iter()
-        .collect();
-    let h = scales.mean.spacing;
-    let kept = distinct(&all, h);
-    let chains = chains(&kept, h);
-    if knobs().verbose > 0.0 {
-        let active = field.grade.iter().filter(|&&g| g > 0.0).count();
-        eprintln!("active {active} seeds {} edgelets {} kept {} chains {} field {t1:?} all {:?}", seeds.len(), all.len(), kept.len(), chains.len(), start.elapsed());
-    }
-    if let Ok(path) = std::env::var("DUMPE") {
-        let rows = kept.iter().flat_map(|e| e.place.into_iter().chain(e.along).chain(e.arms[0]).chain(e.arms[1]).chain([e.weight]));
-        let _ = std::fs::write(path, rows.flat_map(f64::to_le_bytes).collect::<Vec<u8>>());
-    }
-    if knobs().only > 0.0 {
-        *lines = LineGraph::default();
-    }
-    apply(lines, points, &index, &chains, h);
-}
-
-fn seeds(points: &[[f64; 3]], grade: &[f32], index: &Index, scales: Scales) -> Vec<usize> {
-    let mut found: Vec<Found> = Vec::new();
-    let mut gone = vec![false; points.len()];
-    let mut seeds = Vec::new();
-    let least = knobs().grade as f32;
-    for i in 0..points.len() {
-        if grade[i] < least || gone[i] {
-            continue;
-        }
-        index.within(points[i], knobs().thin * scales.at(i).spacing, &mut found);
-        found.iter().for_each(|f| gone[f.index as usize] = true);
-        seeds.push(i);
-    }
-    seeds
-}
 
 /// Samples along the chains with their directions.
 struct Samples {
@@ -81,10 +31,10 @@ fn samples(chains: &[Chain], h: f64) -> Samples {
     s
 }
 
-fn apply(lines: &mut LineGraph, points: &[[f64; 3]], index: &Index, chains: &[Chain], h: f64) {
+pub(in crate::link) fn apply(lines: &mut LineGraph, index: &Index, chains: &[Chain], h: f64) {
     let samples = samples(chains, h);
     let mut found: Vec<Found> = Vec::new();
-    if !samples.places.is_empty() && knobs().snap > 0.0 {
+    if !samples.places.is_empty() && knob("SNAP", 1.0) > 0.0 {
         snap(lines, &samples, h);
     }
     let mut own: Vec<[f64; 3]> = Vec::new();
@@ -96,7 +46,7 @@ fn apply(lines: &mut LineGraph, points: &[[f64; 3]], index: &Index, chains: &[Ch
         }
     }
     let taken = (!own.is_empty()).then(|| Index::build(&own));
-    let clear = knobs().clear * h;
+    let clear = knob("CLEAR", 0.5) * h;
     for chain in chains {
         let free: Vec<bool> = chain
             .places
@@ -122,7 +72,7 @@ fn apply(lines: &mut LineGraph, points: &[[f64; 3]], index: &Index, chains: &[Ch
             }
             let run = &chain.places[from..i];
             let length: f64 = run.windows(2).map(|w| distance(w[0], w[1])).sum();
-            if length < knobs().run * h {
+            if length < knob("RUN", 4.0) * h {
                 continue;
             }
             let added: Vec<u32> = run
@@ -140,14 +90,13 @@ fn apply(lines: &mut LineGraph, points: &[[f64; 3]], index: &Index, chains: &[Ch
             }
         }
     }
-    let _ = points;
 }
 
 /// Vertices of strips beside a chain of the same direction move onto it.
 fn snap(lines: &mut LineGraph, samples: &Samples, h: f64) {
     let index = Index::build(&samples.places);
     let mut found: Vec<Found> = Vec::new();
-    let reach = knobs().reach * h;
+    let reach = knob("REACH", 1.0) * h;
     let moved: Vec<Option<[f64; 3]>> = (0..lines.positions.len())
         .map(|v| {
             let p = lines.positions[v];

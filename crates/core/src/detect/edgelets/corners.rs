@@ -1,0 +1,130 @@
+//! Corners of a cross-section: where two of its smooth pieces meet at an angle.
+
+use super::Edgelet;
+use super::links::Links;
+use super::pieces::{Piece, Pieces, variance};
+use super::section::Section;
+use crate::math::vec3::add_scaled;
+
+/// Least and greatest turn from one face to the other, degrees: sharper ones are two sides of a sheet.
+const TURN_DEG: [f64; 2] = [22.0, 150.0];
+/// Standard deviations by which a turn exceeds the least.
+const CERTAIN: f64 = 3.0;
+/// Least length of a piece, in spacings, to which the noise is added, and its least number of points.
+const SHORT: (f64, f64) = (0.5, 8.0);
+/// Least points along the joint of two pieces, those of both sides counted.
+const JOINT: f64 = 6.0;
+/// Greatest distance of a corner from the joint and from both pieces, in spacings, and what a spacing of noise adds.
+const GAP: (f64, f64) = (0.6, 2.0);
+/// Greatest distance of a corner from the seed, in spacings.
+const CENTRE: f64 = 2.5;
+/// Smallest standard deviation of a corner that is believed, in spacings.
+const EXACT: f64 = 0.03;
+/// Greatest standard deviation of a corner, in spacings.
+const VAGUE: f64 = 0.5;
+
+/// The joint of two pieces: links between them.
+#[derive(Clone, Copy, Debug)]
+struct Joint {
+    pieces: (u32, u32),
+    sum: [f64; 2],
+    count: f64,
+}
+
+/// Appends the corners of a section.
+pub(super) fn corners(section: &Section, links: &Links, pieces: &Pieces, out: &mut Vec<Edgelet>) {
+    for joint in joints(section, links, pieces) {
+        let (a, b) = joint.pieces;
+        if let (Some(a), Some(b)) = (&pieces.all[a as usize], &pieces.all[b as usize]) {
+            let evidence = pieces.loss(joint.pieces, variance(section));
+            out.extend(corner(section, &joint, a, b, evidence));
+        }
+    }
+}
+
+fn joints(section: &Section, links: &Links, pieces: &Pieces) -> Vec<Joint> {
+    let mut joints: Vec<Joint> = Vec::new();
+    for link in &links.all {
+        let [a, b] = [link.a, link.b].map(|i| pieces.label[i as usize]);
+        if a == b {
+            continue;
+        }
+        let pieces = (a.min(b), a.max(b));
+        let at = joints.iter().position(|j| j.pieces == pieces).unwrap_or(joints.len());
+        if at == joints.len() {
+            joints.push(Joint { pieces, sum: [0.0; 2], count: 0.0 });
+        }
+        let joint = &mut joints[at];
+        for place in [link.a, link.b].map(|i| section.points[i as usize].place) {
+            joint.sum = [joint.sum[0] + place[0], joint.sum[1] + place[1]];
+            joint.count += 1.0;
+        }
+    }
+    joints.sort_unstable_by_key(|j| j.pieces);
+    joints
+}
+
+fn corner(section: &Section, joint: &Joint, a: &Piece, b: &Piece, evidence: f64) -> Option<Edgelet> {
+    let (short, few) = SHORT;
+    let fits = |p: &Piece| p.length() >= short + section.noise && p.count >= few;
+    if joint.count < JOINT || !fits(a) || !fits(b) {
+        return None;
+    }
+    let middle = joint.sum.map(|x| x / joint.count);
+    let p = meet(a, b, middle)?;
+    let gap = GAP.0 + GAP.1 * section.noise;
+    let far = (p[0] - middle[0]).hypot(p[1] - middle[1]);
+    if far > gap || p[0].hypot(p[1]) > CENTRE || a.offset(p).max(b.offset(p)) > gap {
+        return None;
+    }
+    let arms = [arm(a, p), arm(b, p)];
+    let cosine = arms[0][0] * arms[1][0] + arms[0][1] * arms[1][1];
+    let turn = (-cosine.clamp(-1.0, 1.0)).acos();
+    let variance = variance(section);
+    let [(high_a, turn_a), (high_b, turn_b)] = [a, b].map(|c| {
+        let (_, _, u) = c.curve.value(p);
+        c.curve.deviations(u, variance)
+    });
+    let deviation = high_a.hypot(high_b) / turn.sin().abs().max(0.1);
+    let [least, most] = TURN_DEG.map(|t| if t < 90.0 { super::knob("FOLD", t) } else { t }.to_radians());
+    if turn - super::knob("CERT", CERTAIN) * turn_a.hypot(turn_b) < least || turn > most || deviation > super::knob("VAGUE", VAGUE) {
+        return None;
+    }
+    Some(Edgelet {
+        place: add_scaled(section.origin, section.in_space(p), section.unit),
+        along: section.axes[0],
+        arms: arms.map(|arm| section.in_space(arm)),
+        spacing: section.unit,
+        deviation: deviation.max(EXACT) * section.unit,
+        evidence,
+        stations: section.stations as f64,
+        weight: (deviation.max(EXACT)).powi(-2) / (1.0 + 0.3 * p[0].hypot(p[1])),
+    })
+}
+
+/// Where the curves of two pieces meet near a place, by Newton's method.
+fn meet(a: &Piece, b: &Piece, start: [f64; 2]) -> Option<[f64; 2]> {
+    let mut p = start;
+    for _ in 0..6 {
+        let ((fa, ga, _), (fb, gb, _)) = (a.curve.value(p), b.curve.value(p));
+        let det = ga[0] * gb[1] - ga[1] * gb[0];
+        if det.abs() < 0.1 * ga[0].hypot(ga[1]) * gb[0].hypot(gb[1]) {
+            return None;
+        }
+        p = [p[0] - (fa * gb[1] - fb * ga[1]) / det, p[1] - (ga[0] * fb - gb[0] * fa) / det];
+        if (p[0] - start[0]).hypot(p[1] - start[1]) > 4.0 {
+            return None;
+        }
+    }
+    Some(p)
+}
+
+/// The unit direction of a piece at `p`, towards its middle.
+fn arm(piece: &Piece, p: [f64; 2]) -> [f64; 2] {
+    let (_, gradient, u) = piece.curve.value(p);
+    let along = [gradient[1], -gradient[0]];
+    let [a, b] = piece.curve.axis;
+    let ahead = 0.5 * (piece.extent[0] + piece.extent[1]) > u;
+    let sign = if (along[0] * a + along[1] * b > 0.0) == ahead { 1.0 } else { -1.0 };
+    along.map(|x| sign * x / gradient[0].hypot(gradient[1]))
+}

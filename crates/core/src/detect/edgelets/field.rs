@@ -1,0 +1,214 @@
+//! The field: at every point the direction in which the surface does not change, and its normal fitted to points along it.
+
+use crate::math::eigen3::{Eigen3, eigen3};
+use crate::math::tensor::add_product;
+use crate::math::vec3::{add, add_scaled, dot, scale, sub, unit};
+use crate::neighbors::Index;
+use crate::parallel;
+use crate::surface::Scales;
+
+/// Rounds in which normals are fitted along the directions of the last round.
+const ROUNDS: usize = 3;
+/// Scale of the weights of normals in the structure tensor, in spacings, and the distance at which they end.
+const TENSOR: (f64, f64) = (3.5, 4.7);
+/// Least mean square of the normals across the direction of least change at a fold.
+const BEND: f64 = 0.03;
+/// The same at a place that is looked at closely, together with its surroundings.
+const WORTH: f64 = 0.01;
+/// Distance of the places at which folds are looked for first, in spacings, and the reach around those that show one.
+const LOOK: (f64, f64) = (2.0, 3.0);
+/// Scale of a tube across, in spacings.
+const ACROSS: f64 = 1.3;
+/// Scale of a tube along without noise, in spacings, what a spacing of noise adds, and the greatest.
+const ALONG: (f64, f64, f64) = (3.0, 14.0, 7.0);
+/// Exponent at which the weights of a tube end.
+const END: f64 = 6.9;
+/// Exponent at which the weight of a point of another face is nothing.
+const NOTHING: f64 = 12.0;
+/// Standard deviation of normals of one face, radians: in the first round and later.
+const SPREAD: [f64; 2] = [0.45, 0.3];
+/// Standard deviation of points of one face in noise, and the least in spacings.
+const THICK: ([f64; 3], f64) = ([2.0, 2.0, 1.5], 0.05);
+
+/// The field of a cloud: a row for each point near a fold.
+#[derive(Clone, Debug)]
+pub(super) struct Field<'a> {
+    pub(super) points: &'a [[f64; 3]],
+    pub(super) index: &'a Index,
+    pub(super) scales: Scales<'a>,
+    /// Normals away from folds.
+    flat: &'a [[f32; 3]],
+    /// The points near folds, ascending, and the row of every point; `FAR` for the others.
+    pub(super) near: Vec<u32>,
+    row: Vec<u32>,
+    rows: Vec<Row>,
+}
+
+/// What the field says of a point.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    /// Unit normal, of either sign.
+    normal: [f64; 3],
+    /// Place on the fitted plane.
+    place: [f64; 3],
+    tensor: Tensor,
+}
+
+const FAR: u32 = u32::MAX;
+
+/// The structure tensor of the normals around a point.
+#[derive(Clone, Copy, Debug)]
+struct Tensor {
+    /// Unit direction of least change, of either sign.
+    along: [f64; 3],
+    bend: f64,
+    /// How certain the direction is, 0 to 1.
+    grade: f64,
+}
+
+/// A point in a tube: its index, offset from the tube's centre and weight.
+type InTube = (u32, [f64; 3], f64);
+
+impl<'a> Field<'a> {
+    /// The field of points with unit normals of either sign.
+    pub(super) fn new(
+        points: &'a [[f64; 3]],
+        flat: &'a [[f32; 3]],
+        index: &'a Index,
+        scales: Scales<'a>,
+    ) -> Field<'a> {
+        let (near, row) = (Vec::new(), vec![FAR; points.len()]);
+        let mut field = Field { points, index, scales, flat, near, row, rows: Vec::new() };
+        field.look();
+        for round in 0..ROUNDS {
+            let spread = SPREAD[round.min(1)];
+            let fitted = parallel::map_with(field.near.len(), parallel::SLOW, |tube: &mut Vec<InTube>, r| {
+                let row = &field.rows[r];
+                match row.tensor.bend > BEND {
+                    true => field.fit(field.near[r] as usize, row.tensor.along, spread, tube),
+                    false => (row.normal, row.place),
+                }
+            });
+            field.rows.iter_mut().zip(fitted).for_each(|(row, fit)| (row.normal, row.place) = fit);
+            let tensors =
+                parallel::map(field.near.len(), parallel::SLOW, |r| field.tensor(field.near[r] as usize));
+            field.rows.iter_mut().zip(tensors).for_each(|(row, tensor)| row.tensor = tensor);
+        }
+        field
+    }
+
+    /// Unit normal of point `i`, of either sign.
+    pub(super) fn normal(&self, i: usize) -> [f64; 3] {
+        self.rows.get(self.row[i] as usize).map_or_else(|| self.flat[i].map(f64::from), |row| row.normal)
+    }
+
+    /// The place of point `i` on the surface.
+    pub(super) fn place(&self, i: usize) -> [f64; 3] {
+        self.rows.get(self.row[i] as usize).map_or(self.points[i], |row| row.place)
+    }
+
+    /// The direction of least change at point `i`, of either sign, and how certain it is, 0 to 1; `None` away from folds.
+    pub(super) fn along(&self, i: usize) -> Option<([f64; 3], f64)> {
+        let tensor = &self.rows.get(self.row[i] as usize)?.tensor;
+        (tensor.bend > BEND).then_some((tensor.along, tensor.grade))
+    }
+
+    /// Finds the points near folds, from places spread over the cloud.
+    fn look(&mut self) {
+        let (apart, reach) = LOOK;
+        let mut passed = vec![false; self.points.len()];
+        let mut places: Vec<usize> = Vec::new();
+        for i in 0..self.points.len() {
+            if !passed[i] {
+                let radius = apart * self.scales.at(i).spacing;
+                self.index.around(self.points[i], radius, |f| passed[f.index as usize] = true);
+                places.push(i);
+            }
+        }
+        let bends = parallel::map(places.len(), parallel::SLOW, |k| self.tensor(places[k]).bend > WORTH);
+        for (&i, _) in places.iter().zip(bends).filter(|(_, bends)| *bends) {
+            let radius = reach * self.scales.at(i).spacing;
+            self.index.around(self.points[i], radius, |f| self.row[f.index as usize] = 0);
+        }
+        self.near = (0..self.points.len() as u32).filter(|&i| self.row[i as usize] != FAR).collect();
+        self.near.iter().zip(0..).for_each(|(&i, r)| self.row[i as usize] = r);
+        let row = |r: usize| {
+            let i = self.near[r] as usize;
+            let normal = unit(self.flat[i].map(f64::from));
+            Row { normal, place: self.points[i], tensor: self.tensor(i) }
+        };
+        self.rows = parallel::map(self.near.len(), parallel::SLOW, row);
+    }
+
+    fn tensor(&self, i: usize) -> Tensor {
+        let h = self.scales.at(i).spacing;
+        let (mut m, mut sum) = ([0.0; 6], 0.0);
+        let (wide, reach) = TENSOR;
+        let scale = -1.0 / (wide * h * wide * h);
+        self.index.around(self.points[i], reach * h, |f| {
+            let w = (f.distance2 * scale).exp();
+            add_product(&mut m, self.normal(f.index as usize), w);
+            sum += w;
+        });
+        let Eigen3 { values: [least, middle, _], vectors } = eigen3(&m);
+        Tensor { along: vectors[0], bend: middle / sum, grade: (middle - least) / middle.max(1e-12) }
+    }
+
+    /// The points in the tube around point `i`.
+    fn tube(&self, i: usize, along: [f64; 3], tube: &mut Vec<InTube>) {
+        let resolution = self.scales.at(i);
+        let h = resolution.spacing;
+        let (least, noisy, most) = ALONG;
+        let long = (least + noisy * resolution.noise / h).min(most) * h;
+        let own = self.points[i];
+        tube.clear();
+        self.index.around(own, 1.5 * long, |f| {
+            let d = sub(self.points[f.index as usize], own);
+            let a = dot(d, along);
+            let across2 = (f.distance2 - a * a).max(0.0);
+            let e = 2.0 * (a / long).powi(2) + 2.0 * across2 / (ACROSS * h).powi(2);
+            if e < END {
+                tube.push((f.index, d, (-e).exp()));
+            }
+        });
+    }
+
+    /// Normal and place of point `i`: the plane of the points of its own face in its tube, by weights that are taken anew from each
+    /// plane.
+    fn fit(
+        &self,
+        i: usize,
+        along: [f64; 3],
+        spread: f64,
+        tube: &mut Vec<InTube>,
+    ) -> ([f64; 3], [f64; 3]) {
+        self.tube(i, along, tube);
+        let resolution = self.scales.at(i);
+        let (thick, least) = THICK;
+        let own = self.points[i];
+        let (mut n, mut foot) = (self.normal(i), sub(self.place(i), own));
+        for thick in thick {
+            let s = thick * resolution.noise.max(least * resolution.spacing);
+            let (mut sum, mut centre, mut m) = (0.0, [0.0; 3], [0.0; 6]);
+            for &(j, d, w) in tube.iter() {
+                let off = dot(sub(d, foot), n) / s;
+                let cosine = dot(self.normal(j as usize), n);
+                let e = 0.5 * off * off + (1.0 - cosine * cosine) / (2.0 * spread * spread);
+                if e < NOTHING {
+                    let w = w * (-e).exp();
+                    sum += w;
+                    centre = add_scaled(centre, d, w);
+                    add_product(&mut m, d, w);
+                }
+            }
+            if sum < 1e-6 {
+                break;
+            }
+            centre = scale(centre, 1.0 / sum);
+            add_product(&mut m, centre, -sum);
+            n = eigen3(&m).vectors[0];
+            foot = scale(n, dot(centre, n));
+        }
+        (n, add(own, foot))
+    }
+}

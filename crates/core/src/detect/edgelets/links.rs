@@ -1,0 +1,117 @@
+//! Neighbours within a cross-section and how unlikely each two are to lie on one smooth piece.
+
+use super::section::{Across, WIDE};
+
+/// Nearest neighbours to which a point is linked.
+const NEAR: usize = 6;
+/// Greatest length of a link, in spacings, to which the noise is added.
+const FAR: f64 = 0.7;
+/// Offset of a neighbour from the tangent that counts nothing, in spacings, and the share of the noise added to it.
+const FLAT: (f64, f64) = (0.1, 0.3);
+/// Radians for a spacing of offset beyond it.
+const OFFSET: f64 = 3.0;
+/// Half the side of the square that the cells cover: places may lie a little outside of the section.
+const HALF: f64 = WIDE + 0.8;
+
+/// A pair of neighbours with the angle between their normals and the step between their tangents, in radians.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Link {
+    pub(super) a: u32,
+    pub(super) b: u32,
+    pub(super) weight: f64,
+}
+
+/// Links of a section in ascending order of weight.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Links {
+    pub(super) all: Vec<Link>,
+    cells: Cells,
+    near: Vec<(f64, u32)>,
+}
+
+impl Links {
+    pub(super) fn find(&mut self, points: &[Across], noise: f64) {
+        let far = FAR + noise;
+        self.cells.fill(points, far);
+        self.all.clear();
+        for (i, p) in points.iter().enumerate() {
+            self.near.clear();
+            let near = &mut self.near;
+            self.cells.around(p.place, |j| {
+                let q = points[j as usize].place;
+                let d2 = (p.place[0] - q[0]).powi(2) + (p.place[1] - q[1]).powi(2);
+                if j != i as u32 && d2 < far * far {
+                    near.push((d2, j));
+                }
+            });
+            if near.len() > NEAR {
+                near.select_nth_unstable_by(NEAR, |x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
+                near.truncate(NEAR);
+            }
+            for &(d2, j) in near.iter() {
+                let (a, b) = ((i as u32).min(j), (i as u32).max(j));
+                self.all.push(Link { a, b, weight: weight(p, &points[j as usize], d2.sqrt(), noise) });
+            }
+        }
+        self.all.sort_unstable_by(|x, y| {
+            x.weight.total_cmp(&y.weight).then((x.a, x.b).cmp(&(y.a, y.b)))
+        });
+        self.all.dedup_by(|x, y| (x.a, x.b) == (y.a, y.b));
+    }
+}
+
+/// The angle between two normals and the step beyond what a bend by this angle explains.
+fn weight(p: &Across, q: &Across, length: f64, noise: f64) -> f64 {
+    let step = [q.place[0] - p.place[0], q.place[1] - p.place[1]];
+    let along = |n: [f64; 2]| (n[0] * step[0] + n[1] * step[1]).abs();
+    let off = along(p.normal).min(along(q.normal));
+    let angle = (p.normal[0] * q.normal[0] + p.normal[1] * q.normal[1]).abs().min(1.0).acos();
+    let (flat, noisy) = FLAT;
+    angle + OFFSET * (off - length * (0.5 * angle).sin() - flat - noisy * noise).max(0.0)
+}
+
+/// Points in square cells.
+#[derive(Clone, Debug, Default)]
+struct Cells {
+    size: f64,
+    wide: usize,
+    first: Vec<u32>,
+    order: Vec<u32>,
+    of: Vec<u32>,
+}
+
+impl Cells {
+    fn fill(&mut self, points: &[Across], size: f64) {
+        self.size = size;
+        self.wide = (2.0 * HALF / size).ceil() as usize + 1;
+        self.first.clear();
+        self.first.resize(self.wide * self.wide + 2, 0);
+        let mut of = std::mem::take(&mut self.of);
+        of.clear();
+        of.extend(points.iter().map(|p| (self.line(p.place[1]) * self.wide + self.line(p.place[0])) as u32));
+        self.of = of;
+        // Counts two places on, so that after the points are laid out each cell's entry is its beginning.
+        self.of.iter().for_each(|&c| self.first[c as usize + 2] += 1);
+        (2..self.first.len()).for_each(|c| self.first[c] += self.first[c - 1]);
+        self.order.clear();
+        self.order.resize(points.len(), 0);
+        for (i, &c) in self.of.iter().enumerate() {
+            let next = &mut self.first[c as usize + 1];
+            self.order[*next as usize] = i as u32;
+            *next += 1;
+        }
+    }
+
+    fn line(&self, x: f64) -> usize {
+        (((x + HALF) / self.size).max(0.0) as usize).min(self.wide - 1)
+    }
+
+    fn around(&self, p: [f64; 2], mut take: impl FnMut(u32)) {
+        let (x, y) = (self.line(p[0]), self.line(p[1]));
+        for row in y.saturating_sub(1)..(y + 2).min(self.wide) {
+            let from = self.first[row * self.wide + x.saturating_sub(1)] as usize;
+            let to = self.first[row * self.wide + (x + 2).min(self.wide)] as usize;
+            self.order[from..to].iter().for_each(|&j| take(j));
+        }
+    }
+}
