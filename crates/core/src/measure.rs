@@ -1,6 +1,7 @@
 //! The measure: a detector's output, with penalties, score, class and normal of every point.
 
 use crate::error::Error;
+use crate::math::vec3::dot;
 
 /// The output of a detector: one row for each point, canonical order, local frame.
 ///
@@ -20,6 +21,35 @@ pub struct Measure {
     pub crease: Penalties,
     /// Penalties against lying on a border.
     pub border: Penalties,
+    /// Short pieces of crease, found across the points rather than at them; empty from a detector that judges points alone.
+    pub edgelets: Vec<Edgelet>,
+}
+
+/// A short piece of crease: where two smooth pieces of a cross-section of the surface meet, local frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edgelet {
+    /// Its place.
+    pub place: [f64; 3],
+    /// The point of the cloud nearest to it.
+    pub point: u32,
+    /// Unit direction of the crease, of either sign.
+    pub along: [f64; 3],
+    /// Unit directions of both faces away from the crease.
+    pub arms: [[f64; 3]; 2],
+    /// Spacing of the cloud there.
+    pub spacing: f64,
+    /// Standard deviation of the place across the crease.
+    pub deviation: f64,
+    /// Twice the log likelihood ratio of two smooth pieces against one.
+    pub evidence: f64,
+}
+
+impl Edgelet {
+    /// The turn from one face to the other, radians: 0 where they are one plane.
+    pub fn turn(&self) -> f64 {
+        let [a, b] = self.arms;
+        (-dot(a, b).clamp(-1.0, 1.0)).acos()
+    }
 }
 
 /// The penalties of the candidates, the points that may lie on one kind of line. Only candidates can enter a pattern.

@@ -5,11 +5,12 @@ mod used;
 
 pub use segments::ClusterStages;
 
+use crate::detect::edgelets::edgelets;
 use crate::detect::{penalty, projection};
 use crate::link::{self, CycleRule, Metric};
 use crate::measure::Measure;
 use crate::network::Network;
-use crate::params::{Method, Params, SegmentForm};
+use crate::params::{Method, Params, PenaltyForm, SegmentForm};
 use crate::patch::{self, Ground, Patches};
 use crate::pattern::Pattern;
 use crate::prepare::Prepared;
@@ -19,6 +20,13 @@ use crate::recover::{recover, take_back};
 pub(crate) fn detect(cloud: &Prepared, params: &Params) -> Measure {
     let Prepared { positions, graph, resolution, .. } = cloud;
     match params.method {
+        Method::Auto => {
+            let mut measure = penalty::penalty(positions, graph, cloud.scales(), &params.penalty);
+            if params.penalty.form == PenaltyForm::Robust {
+                measure.edgelets = edgelets(positions, &measure.normal, cloud.scales(), &params.edgelets);
+            }
+            measure
+        }
         Method::Penalty => penalty::penalty(positions, graph, cloud.scales(), &params.penalty),
         Method::Segments => segments::detect(cloud, params),
         Method::Projection => projection::candidates::measure(positions, graph, *resolution, params),
@@ -32,9 +40,9 @@ pub(crate) fn link(
     params: &Params,
 ) -> (Pattern, Option<ClusterStages>) {
     match params.method {
-        Method::Penalty | Method::Projection => {
+        Method::Auto | Method::Penalty | Method::Projection => {
             let rule = cycle_rule(cloud, params);
-            (link::link(&cloud.positions, &cloud.graph, measure, cloud.scales(), params, rule), None)
+            (link::link(&cloud.graph, measure, cloud.scales(), params, rule), None)
         }
         Method::Segments => {
             let (pattern, stages) = segments::link(cloud, measure, params, cycle_rule(cloud, params));
@@ -95,7 +103,7 @@ pub(crate) fn notes(cloud: &Prepared, clusters: Option<&ClusterStages>, params: 
     match params.method {
         Method::Projection => projection::warning(cloud.resolution).into_iter().collect(),
         Method::Segments => clusters.and_then(noisy).into_iter().collect(),
-        Method::Penalty => Vec::new(),
+        Method::Auto | Method::Penalty => Vec::new(),
     }
 }
 

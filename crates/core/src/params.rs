@@ -74,6 +74,22 @@ sections! {
         classes: usize = 3, "classes", 2.0..=3.0;
     }
 
+    /// Edgelets, short pieces of crease from cross-sections of the surface: ours; used by the method `auto`.
+    edgelets: EdgeletParams {
+        /// Noise up to which they are looked for: with more, a cross-section of points within reach does not tell narrow faces.
+        noise_spacings: f64 = 0.4, "spacings", 0.0..=10.0;
+        /// By how much two smooth pieces must describe a cross-section better than one.
+        evidence: f64 = 9.0, "variances", 0.0..=1000000.0;
+        /// Least turn from one face to the other.
+        turn_deg: f64 = 22.0, "degrees", 5.0..=120.0;
+        /// Distance between the points at which cross-sections are taken.
+        apart_spacings: f64 = 1.0, "spacings", 0.0..=10.0;
+        /// Cross-sections that must agree on a place.
+        agree: usize = 3, "", 1.0..=100.0;
+        /// Length that a chain of edgelets needs.
+        chain_spacings: f64 = 5.0, "spacings", 0.0..=1000.0;
+    }
+
     /// The minimum spanning graph and its pruning (Gumhold 2001, sections 3.2 and 3.3).
     spanning: SpanningParams {
         /// Edges whose penalty share exceeds this are never part of a pattern.
@@ -240,6 +256,8 @@ value::choices! { PenaltyForm { Robust = "robust", Paper = "paper" } }
 /// The detection method that runs, under the name of its paper's idea.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
+    /// Ours: the robust form of `penalty`, and chains of edgelets from cross-sections.
+    Auto,
     /// Gumhold 2001: penalties and the minimum spanning graph.
     Penalty,
     /// Tran 2013: projected distance at the best scale, points above Otsu's threshold.
@@ -249,7 +267,9 @@ pub enum Method {
 }
 
 value::choices! {
-    Method { Penalty = "penalty" | "gumhold", Projection = "projection" | "tran", Segments = "segments" | "demarsin" }
+    Method {
+        Auto = "auto",
+        Penalty = "penalty" | "gumhold", Projection = "projection" | "tran", Segments = "segments" | "demarsin" }
 }
 
 /// Which form of Demarsin's pipeline is used.

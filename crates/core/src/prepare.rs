@@ -69,7 +69,8 @@ pub(crate) fn prepare(world: &[[f64; 3]], params: &Params, clock: &mut Clock) ->
         })?;
     }
     let Joined { nearest, graph, resolution } = joined;
-    let own = params.method == Method::Penalty && params.penalty.form == PenaltyForm::Robust;
+    let own =
+        matches!(params.method, Method::Auto | Method::Penalty) && params.penalty.form == PenaltyForm::Robust;
     let spacing = if own { evened(&spacings(&positions, &nearest), resolution) } else { Vec::new() };
     Ok(Prepared {
         frame,
@@ -89,7 +90,7 @@ pub(crate) fn prepare(world: &[[f64; 3]], params: &Params, clock: &mut Clock) ->
 /// Whether the stage `surface` runs: in the robust forms by default, but not in the forms as printed, which take every point.
 pub(crate) fn cleaned(params: &Params) -> bool {
     let printed = match params.method {
-        Method::Penalty => params.penalty.form == PenaltyForm::Paper,
+        Method::Auto | Method::Penalty => params.penalty.form == PenaltyForm::Paper,
         Method::Segments => params.segments.form == SegmentForm::Paper,
         Method::Projection => false,
     };

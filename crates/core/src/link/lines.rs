@@ -1,5 +1,6 @@
 //! The crease and border patterns (Gumhold 2001, sections 3.2 and 3.3), repaired in the robust form.
 
+use super::chains::follow;
 use super::repair::{dock, repair};
 use super::spanning::{CycleRule, candidate_edges, minimum_spanning_graph, prune};
 use crate::measure::{Measure, Penalties};
@@ -15,7 +16,6 @@ const ROBUST_BORDER_HOPS: usize = 2;
 
 /// Links the candidates of both kinds into a pattern.
 pub(crate) fn link(
-    graph_positions: &[[f64; 3]],
     graph: &Neighbors,
     measure: &Measure,
     scales: Scales,
@@ -35,22 +35,10 @@ pub(crate) fn link(
     match rule.form {
         PenaltyForm::Paper => {}
         PenaltyForm::Robust => {
-            if std::env::var("EDGELETS").is_ok() && !measure.normal.is_empty() {
-                let positions = graph_positions;
-                let found = crate::detect::edgelets::edgelets(positions, &measure.normal, scales);
-                let chains = super::chains::chains(&found);
-                if crate::detect::edgelets::knob("ONLY", 0.0) > 0.0 {
-                    pattern.crease = LineGraph::default();
-                }
-                let index = crate::neighbors::Index::build(positions);
-                super::chains::apply(&mut pattern.crease, &index, &chains, scales.mean.spacing);
-                if crate::detect::edgelets::knob("BRIDGE", 0.0) > 0.0 {
-                    super::repair::bridge(&mut pattern.crease, StripKind::Crease, scales, repair);
-                    prune(&mut pattern.crease, rule.of(StripKind::Crease));
-                    super::repair::corners(&mut pattern.crease, StripKind::Crease, scales, repair);
-                }
+            if spanning.creases {
+                follow(&mut pattern.crease, &measure.edgelets, params.edgelets.chain_spacings, scales);
             }
-            dock(&mut pattern, scales)
+            dock(&mut pattern, scales);
         }
     }
     pattern

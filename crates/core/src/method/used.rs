@@ -16,6 +16,7 @@ const SHARED: [&str; 7] = ["neighbors", "surface", "penalty", "spanning", "repai
 pub(super) fn used(cloud: &Prepared, params: &Params) -> Vec<(String, String)> {
     let params = resolved(cloud, params);
     let own = match params.method {
+        Method::Auto => "edgelets",
         Method::Penalty => "",
         Method::Projection => "projection",
         Method::Segments => "segments",

@@ -95,14 +95,7 @@ impl Index {
     }
 
     /// Passes the points within the squared distance `bound` below an entry of a level to `take`; level 0 are the leaves.
-    fn descend(
-        &self,
-        query: [f64; 3],
-        bound: f64,
-        level: usize,
-        entry: usize,
-        take: &mut impl FnMut(Found),
-    ) {
+    fn descend(&self, query: [f64; 3], bound: f64, level: usize, entry: usize, take: &mut impl FnMut(Found)) {
         let Some(below) = level.checked_sub(1) else {
             let leaf = &self.leaves[entry];
             for (lane, &distance2) in leaf.distances2(query).iter().enumerate() {

@@ -72,7 +72,7 @@ macro_rules! sections {
 
         impl Default for Params {
             fn default() -> Self {
-                Self { method: Method::Penalty, $( $section: $type::default(), )+ }
+                Self { method: Method::Auto, $( $section: $type::default(), )+ }
             }
         }
 

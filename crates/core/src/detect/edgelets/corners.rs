@@ -1,15 +1,14 @@
 //! Corners of a cross-section: where two of its smooth pieces meet at an angle.
 
-use super::Edgelet;
+use super::Weighted;
 use super::links::Links;
 use super::pieces::{Piece, Pieces, variance};
 use super::section::Section;
 use crate::math::vec3::add_scaled;
+use crate::measure::Edgelet;
 
-/// Least and greatest turn from one face to the other, degrees: sharper ones are two sides of a sheet.
-const TURN_DEG: [f64; 2] = [22.0, 150.0];
-/// Standard deviations by which a turn exceeds the least.
-const CERTAIN: f64 = 3.0;
+/// Greatest turn from one face to the other, degrees: sharper ones are two sides of a sheet.
+const SHEET_DEG: f64 = 150.0;
 /// Least length of a piece, in spacings, to which the noise is added, and its least number of points.
 const SHORT: (f64, f64) = (0.5, 8.0);
 /// Least points along the joint of two pieces, those of both sides counted.
@@ -20,6 +19,10 @@ const GAP: (f64, f64) = (0.6, 2.0);
 const CENTRE: f64 = 2.5;
 /// Smallest standard deviation of a corner that is believed, in spacings.
 const EXACT: f64 = 0.03;
+/// Least sine of a turn by which the deviation is divided.
+const OBLIQUE: f64 = 0.1;
+/// Loss of weight with each spacing of distance from the seed.
+const ASIDE: f64 = 0.3;
 /// Greatest standard deviation of a corner, in spacings.
 const VAGUE: f64 = 0.5;
 
@@ -31,13 +34,24 @@ struct Joint {
     count: f64,
 }
 
-/// Appends the corners of a section.
-pub(super) fn corners(section: &Section, links: &Links, pieces: &Pieces, out: &mut Vec<Edgelet>) {
+/// Appends the corners of a section with a turn of at least `least` radians.
+pub(super) fn corners(
+    section: &Section,
+    links: &Links,
+    pieces: &Pieces,
+    least: f64,
+    out: &mut Vec<Weighted>,
+) {
     for joint in joints(section, links, pieces) {
         let (a, b) = joint.pieces;
-        if let (Some(a), Some(b)) = (&pieces.all[a as usize], &pieces.all[b as usize]) {
-            let evidence = pieces.loss(joint.pieces, variance(section));
-            out.extend(corner(section, &joint, a, b, evidence));
+        let (Some(a), Some(b)) = (&pieces.all[a as usize], &pieces.all[b as usize]) else { continue };
+        let Some(p) = place(section, &joint, a, b) else { continue };
+        let evidence = pieces.loss(joint.pieces, variance(section));
+        let corner = corner(section, p, [a, b], evidence);
+        let turn = corner.edgelet.turn();
+        let vague = corner.edgelet.deviation > VAGUE * section.unit;
+        if (least..SHEET_DEG.to_radians()).contains(&turn) && !vague {
+            out.push(corner);
         }
     }
 }
@@ -64,7 +78,8 @@ fn joints(section: &Section, links: &Links, pieces: &Pieces) -> Vec<Joint> {
     joints
 }
 
-fn corner(section: &Section, joint: &Joint, a: &Piece, b: &Piece, evidence: f64) -> Option<Edgelet> {
+/// The place in the section where two pieces meet, if they are long enough and meet near their joint and the seed.
+fn place(section: &Section, joint: &Joint, a: &Piece, b: &Piece) -> Option<[f64; 2]> {
     let (short, few) = SHORT;
     let fits = |p: &Piece| p.length() >= short + section.noise && p.count >= few;
     if joint.count < JOINT || !fits(a) || !fits(b) {
@@ -74,32 +89,29 @@ fn corner(section: &Section, joint: &Joint, a: &Piece, b: &Piece, evidence: f64)
     let p = meet(a, b, middle)?;
     let gap = GAP.0 + GAP.1 * section.noise;
     let far = (p[0] - middle[0]).hypot(p[1] - middle[1]);
-    if far > gap || p[0].hypot(p[1]) > CENTRE || a.offset(p).max(b.offset(p)) > gap {
-        return None;
-    }
-    let arms = [arm(a, p), arm(b, p)];
-    let cosine = arms[0][0] * arms[1][0] + arms[0][1] * arms[1][1];
-    let turn = (-cosine.clamp(-1.0, 1.0)).acos();
+    let near = far <= gap && p[0].hypot(p[1]) <= CENTRE && a.offset(p).max(b.offset(p)) <= gap;
+    near.then_some(p)
+}
+
+fn corner(section: &Section, p: [f64; 2], pieces: [&Piece; 2], evidence: f64) -> Weighted {
     let variance = variance(section);
-    let [(high_a, turn_a), (high_b, turn_b)] = [a, b].map(|c| {
-        let (_, _, u) = c.curve.value(p);
-        c.curve.deviations(u, variance)
+    let [one, other] = pieces.map(|piece| {
+        let (_, _, u) = piece.curve.value(p);
+        piece.curve.deviation(u, variance)
     });
-    let deviation = high_a.hypot(high_b) / turn.sin().abs().max(0.1);
-    let [least, most] = TURN_DEG.map(|t| if t < 90.0 { super::knob("FOLD", t) } else { t }.to_radians());
-    if turn - super::knob("CERT", CERTAIN) * turn_a.hypot(turn_b) < least || turn > most || deviation > super::knob("VAGUE", VAGUE) {
-        return None;
-    }
-    Some(Edgelet {
+    let arms = pieces.map(|piece| section.in_space(arm(piece, p)));
+    let mut edgelet = Edgelet {
         place: add_scaled(section.origin, section.in_space(p), section.unit),
+        point: section.seed,
         along: section.axes[0],
-        arms: arms.map(|arm| section.in_space(arm)),
+        arms,
         spacing: section.unit,
-        deviation: deviation.max(EXACT) * section.unit,
+        deviation: 0.0,
         evidence,
-        stations: section.stations as f64,
-        weight: (deviation.max(EXACT)).powi(-2) / (1.0 + 0.3 * p[0].hypot(p[1])),
-    })
+    };
+    let deviation = (one.hypot(other) / edgelet.turn().sin().abs().max(OBLIQUE)).max(EXACT);
+    edgelet.deviation = deviation * section.unit;
+    Weighted { edgelet, weight: 1.0 / (deviation * deviation * (1.0 + ASIDE * p[0].hypot(p[1]))) }
 }
 
 /// Where the curves of two pieces meet near a place, by Newton's method.

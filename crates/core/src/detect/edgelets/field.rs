@@ -175,13 +175,7 @@ impl<'a> Field<'a> {
 
     /// Normal and place of point `i`: the plane of the points of its own face in its tube, by weights that are taken anew from each
     /// plane.
-    fn fit(
-        &self,
-        i: usize,
-        along: [f64; 3],
-        spread: f64,
-        tube: &mut Vec<InTube>,
-    ) -> ([f64; 3], [f64; 3]) {
+    fn fit(&self, i: usize, along: [f64; 3], spread: f64, tube: &mut Vec<InTube>) -> ([f64; 3], [f64; 3]) {
         self.tube(i, along, tube);
         let resolution = self.scales.at(i);
         let (thick, least) = THICK;

@@ -53,9 +53,7 @@ impl Links {
                 self.all.push(Link { a, b, weight: weight(p, &points[j as usize], d2.sqrt(), noise) });
             }
         }
-        self.all.sort_unstable_by(|x, y| {
-            x.weight.total_cmp(&y.weight).then((x.a, x.b).cmp(&(y.a, y.b)))
-        });
+        self.all.sort_unstable_by(|x, y| x.weight.total_cmp(&y.weight).then((x.a, x.b).cmp(&(y.a, y.b))));
         self.all.dedup_by(|x, y| (x.a, x.b) == (y.a, y.b));
     }
 }

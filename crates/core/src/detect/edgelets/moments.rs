@@ -137,13 +137,10 @@ impl Parabola {
         (off, [-b - slope * a, a - slope * b], u)
     }
 
-    /// Standard deviations at `u` of the height and of the direction, radians, for points with the given variance.
-    pub(super) fn deviations(&self, u: f64, variance: f64) -> (f64, f64) {
-        let of = |row: [f64; 3]| {
-            let x = solve(self.normal, row).unwrap_or([f64::INFINITY; 3]);
-            (variance * (row[0] * x[0] + row[1] * x[1] + row[2] * x[2])).max(0.0).sqrt()
-        };
-        let slope = self.c[1] + 2.0 * self.c[2] * u;
-        (of([1.0, u, u * u]), of([0.0, 1.0, 2.0 * u]) / (1.0 + slope * slope))
+    /// Standard deviation of the height at `u`, for points with the given variance.
+    pub(super) fn deviation(&self, u: f64, variance: f64) -> f64 {
+        let row = [1.0, u, u * u];
+        let x = solve(self.normal, row).unwrap_or([f64::INFINITY; 3]);
+        (variance * (row[0] * x[0] + row[1] * x[1] + row[2] * x[2])).max(0.0).sqrt()
     }
 }

@@ -30,12 +30,13 @@ pub(super) struct Across {
 pub(super) struct Section {
     pub(super) origin: [f64; 3],
     pub(super) axes: [[f64; 3]; 3],
-    /// The spacing at the seed.
+    /// The point at which it is taken.
+    pub(super) seed: u32,
+    /// The spacing there.
     pub(super) unit: f64,
     /// Noise in spacings.
     pub(super) noise: f64,
     pub(super) points: Vec<Across>,
-    pub(super) stations: usize,
 }
 
 #[derive(Clone, Copy)]
@@ -52,12 +53,12 @@ impl Section {
         let normal = field.normal(seed);
         let across = unit(add_scaled(normal, along, -dot(normal, along)));
         let start = Station { place: field.place(seed), axes: [along, across, cross(along, across)] };
+        self.seed = seed as u32;
         self.origin = start.place;
         self.axes = start.axes;
         self.unit = resolution.spacing;
         self.noise = resolution.noise / resolution.spacing;
         self.points.clear();
-        self.stations = 1;
         self.pool(field, &start);
         let (fewest, noisy, most) = STATIONS;
         let reach = (fewest + noisy * self.noise).min(most) as usize;
@@ -67,7 +68,6 @@ impl Section {
                 let Some(next) = step(field, &at, sign * self.unit) else { break };
                 at = next;
                 self.pool(field, &at);
-                self.stations += 1;
             }
         }
         self.points.len() >= FEW

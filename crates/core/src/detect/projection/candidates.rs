@@ -61,7 +61,15 @@ pub fn measure(points: &[[f64; 3]], graph: &Neighbors, resolution: Resolution, p
     rows.iter().filter_map(|r| Some((r.0, r.2?))).for_each(|(i, row)| border.push(i, row));
     align_borders(graph, &mut border, resolution.into());
     let class = Some(marks.classes());
-    Measure { density: densities(points, graph), class, score: marks.score, normal, crease, border }
+    Measure {
+        density: densities(points, graph),
+        class,
+        score: marks.score,
+        normal,
+        crease,
+        border,
+        ..Measure::default()
+    }
 }
 
 /// A point that may lie on a crease, on a border, or on either.
