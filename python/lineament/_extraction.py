@@ -65,7 +65,7 @@ class Extraction:
         return f"Extraction({self.network!r}, {len(self.classes)} points)"
 
 
-LINES = ("method", "neighbors", "surface", "penalty", "projection", "spanning", "repair", "segments", "spline", "patches")
+LINES = ("method", "neighbors", "surface", "penalty", "projection", "edgelets", "spanning", "repair", "segments", "spline", "patches")
 """The sections of the table of parameters that concern lines."""
 
 

@@ -9,9 +9,9 @@ from typing import Literal, TypedDict
 class Parameters(TypedDict, total=False):
     """Parameters of the lines, the classes and the patches."""
 
-    method: Literal["penalty", "gumhold", "projection", "tran", "segments", "demarsin"]
-    """The method that finds the lines. (one of penalty (gumhold) projection (tran) segments (demarsin); default
-    penalty)"""
+    method: Literal["auto", "penalty", "gumhold", "projection", "tran", "segments", "demarsin"]
+    """The method that finds the lines. (one of auto penalty (gumhold) projection (tran) segments (demarsin); default
+    auto)"""
     neighbors_k: int
     """Nearest neighbours that a point is joined with in the Riemannian graph (Gumhold 2001, section 2.1: 10 to 16).
     (points; a whole number from 4 to 64; default 12)"""
@@ -58,6 +58,20 @@ class Parameters(TypedDict, total=False):
     """Classes that Otsu's method parts the scores into: 3 also marks points within about a spacing of an edge, where
     they can be told and are not most of the cloud; 2, as in the paper, those on it. (classes; a whole number from 2 to
     3; default 3)"""
+    edgelets_noise_spacings: float
+    """Noise up to which they are looked for: with more, a cross-section of points within reach does not tell narrow
+    faces. (spacings; a number from 0 to 10; default 0.4)"""
+    edgelets_evidence: float
+    """By how much two smooth pieces must describe a cross-section better than one. (variances; a number from 0 to
+    1000000; default 9.0)"""
+    edgelets_turn_deg: float
+    """Least turn from one face to the other. (degrees; a number from 5 to 120; default 22.0)"""
+    edgelets_apart_spacings: float
+    """Distance between the points at which cross-sections are taken. (spacings; a number from 0 to 10; default 1.0)"""
+    edgelets_agree: int
+    """Cross-sections that must agree on a place. (a whole number from 1 to 100; default 3)"""
+    edgelets_chain_spacings: float
+    """Length that a chain of edgelets needs. (spacings; a number from 0 to 1000; default 5.0)"""
     spanning_tau: float
     """Edges whose penalty share exceeds this are never part of a pattern. (a number from 0 to 2; default 1.0)"""
     spanning_rho: int | Literal["auto"]

@@ -11,7 +11,12 @@ import pytest
 
 import lineament
 
-METHODS: tuple[Literal["penalty", "projection", "segments"], ...] = ("penalty", "projection", "segments")
+METHODS: tuple[Literal["auto", "penalty", "projection", "segments"], ...] = (
+    "auto",
+    "penalty",
+    "projection",
+    "segments",
+)
 
 
 def test_the_bracket_has_creases_that_meet_in_junctions(bracket: Any, found: lineament.Extraction) -> None:
@@ -43,7 +48,7 @@ SCANS = ("cube-386", "random-cube", "wedge", "sheet")
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("name", SCANS)
 def test_lines_are_those_of_the_program_to_the_bit(
-    name: str, method: Literal["penalty", "projection", "segments"], tmp_path: Path, program: Any
+    name: str, method: Literal["auto", "penalty", "projection", "segments"], tmp_path: Path, program: Any
 ) -> None:
     points = lineament.sample(name)
     theirs, ours = tmp_path / "theirs.json", tmp_path / "ours.json"

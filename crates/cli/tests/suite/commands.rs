@@ -43,7 +43,7 @@ fn json_says_where_its_lines_come_from() {
     assert_eq!(root["input"]["name"], "cube.xyz");
     assert_eq!(root["input"]["points"], 386);
     assert_eq!(root["input"]["sha256"].as_str().unwrap().len(), 64);
-    assert_eq!(root["method"], "penalty");
+    assert_eq!(root["method"], "auto");
     assert_eq!(root["parameters"]["penalty.gamma"], 0.4);
 }
 
@@ -278,7 +278,7 @@ fn stages_writes_every_graph_of_the_method_segments_and_of_no_other() {
 fn parameters_that_were_used_give_the_same_bytes_again() {
     let sandbox = Sandbox::new();
     sandbox.write_points("cube.xyz", &cube());
-    for method in ["penalty", "projection", "segments"] {
+    for method in ["auto", "penalty", "projection", "segments"] {
         for more in [&[][..], &["--set", "penalty.form=paper", "--set", "segments.form=paper"]] {
             let first = [&["extract", "cube.xyz", "-o", "a.json", "--method", method], more].concat();
             sandbox.run(&first).expect(0);

@@ -196,7 +196,7 @@ fn points_of_two_scales_give_a_network_or_a_refusal_by_every_method() {
     let knot = (0..40).map(|i| [i % 8, i % 7, i].map(|c| f64::from(c) * 1e-314));
     let rest = (0..20).map(|i| [f64::from(i) * 0.5, f64::from(i % 7), f64::from(i % 3) * 0.25]);
     let points: Points = knot.chain(rest).collect();
-    for method in [Method::Penalty, Method::Projection, Method::Segments] {
+    for method in [Method::Auto, Method::Penalty, Method::Projection, Method::Segments] {
         let params = Params { method, ..Params::default() };
         let start = Instant::now();
         let _ = checked(&cloud(&points), &params);

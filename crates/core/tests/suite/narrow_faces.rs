@@ -3,7 +3,7 @@
 use lineament::shapes::{Sampling, Scan, Shape, chamfered_block, cuboid};
 use lineament::{Extraction, Method, Params, check, evaluate, extract};
 
-const METHODS: [Method; 3] = [Method::Penalty, Method::Projection, Method::Segments];
+const METHODS: [Method; 4] = [Method::Auto, Method::Penalty, Method::Projection, Method::Segments];
 
 /// What is found on 6,000 points of a shape at a given noise, with its score against the truth.
 fn found(shape: &Shape, noise: f64, method: Method) -> (Extraction, evaluate::Score) {

@@ -10,7 +10,7 @@ use crate::args::parse;
 #[derive(Clone, Debug, Default, Args)]
 #[command(next_help_heading = "Parameters")]
 pub struct Tuning {
-    /// Detection method: penalty (or gumhold), projection (tran) or segments (demarsin); as --set method=M
+    /// Method: auto (the default), or one paper's: penalty (or gumhold), projection (tran), segments (demarsin); as --set method=M
     #[arg(long, value_name = "M")]
     pub method: Option<String>,
     #[command(flatten)]
