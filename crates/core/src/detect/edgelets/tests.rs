@@ -36,7 +36,7 @@ fn the_edge_of_a_ridge_is_found_with_its_direction_and_its_faces() {
             assert!(off < 0.1 + noise, "{slope}, {noise}: {:?}", e.place);
             assert!(norm(cross(e.along, [1.0, 0.0, 0.0])) < 0.2, "{slope}, {noise}: {:?}", e.along);
             let turn = 2.0 * slope.atan();
-            assert!((e.turn() - turn).abs() < 0.2, "{slope}, {noise}: {} beside {turn}", e.turn());
+            assert!((e.turn() - turn).abs() < 0.1 + noise, "{slope}, {noise}: {} beside {turn}", e.turn());
             assert!(e.arms.iter().all(|arm| arm[2] < 0.0 && dot(*arm, e.along).abs() < 0.01));
             let nearest = points.iter().map(|p| norm(sub(*p, e.place))).fold(f64::INFINITY, f64::min);
             assert_eq!(norm(sub(points[e.point as usize], e.place)), nearest);
