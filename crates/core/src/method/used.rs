@@ -25,8 +25,9 @@ pub(super) fn used(cloud: &Prepared, params: &Params) -> Vec<(String, String)> {
         Some((section, _)) => section == own || SHARED.contains(&section),
         None => true,
     };
-    let entries =
-        params.entries().into_iter().filter(|e| read(&e.key) && e.value != Auto::<f64>::Auto.show());
+    // Of the method, `auto` is a value; of other parameters it says that there is none.
+    let known = |key: &str, value: &str| key == "method" || value != Auto::<f64>::Auto.show();
+    let entries = params.entries().into_iter().filter(|e| read(&e.key) && known(&e.key, &e.value));
     entries.map(|e| (e.key, e.value)).collect()
 }
 
