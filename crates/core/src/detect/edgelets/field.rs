@@ -17,6 +17,8 @@ const BEND: f64 = 0.03;
 const WORTH: f64 = 0.01;
 /// Distance of the places at which folds are looked for first, in spacings, and the reach around those that show one.
 const LOOK: (f64, f64) = (2.0, 3.0);
+/// Distance from a seed within which normals must turn, in spacings, and the greatest cosine of such a turn.
+const CHANGE: (f64, f64) = (3.2, 0.966);
 /// Scale of a tube across, in spacings.
 const ACROSS: f64 = 1.3;
 /// Scale of a tube along without noise, in spacings, what a spacing of noise adds, and the greatest.
@@ -111,6 +113,17 @@ impl<'a> Field<'a> {
     pub(super) fn along(&self, i: usize) -> Option<([f64; 3], f64)> {
         let tensor = &self.rows.get(self.row[i] as usize)?.tensor;
         (tensor.bend > BEND).then_some((tensor.along, tensor.grade))
+    }
+
+    /// Whether the normals around point `i` turn within the reach of a cross-section's middle.
+    pub(super) fn changes(&self, i: usize) -> bool {
+        let (reach, cosine) = CHANGE;
+        let own = self.normal(i);
+        let mut turns = 0;
+        self.index.around(self.points[i], reach * self.scales.at(i).spacing, |f| {
+            turns += u32::from(dot(self.normal(f.index as usize), own).abs() < cosine);
+        });
+        turns > 1
     }
 
     /// Finds the points near folds, from places spread over the cloud.

@@ -26,41 +26,65 @@ pub(super) struct Link {
 pub(super) struct Links {
     pub(super) all: Vec<Link>,
     cells: Cells,
-    near: Vec<(f64, u32)>,
+    near: Vec<u64>,
+    pairs: Vec<u64>,
 }
 
 impl Links {
     pub(super) fn find(&mut self, points: &[Across], noise: f64) {
-        let far = FAR + noise;
-        self.cells.fill(points, far);
-        self.all.clear();
-        for (i, p) in points.iter().enumerate() {
-            self.near.clear();
-            let near = &mut self.near;
-            self.cells.around(p.place, |j| {
+        self.pair_up(points, FAR + noise);
+        let Links { all, pairs, .. } = self;
+        all.clear();
+        all.extend(pairs.iter().map(|&pair| {
+            let (a, b) = unpacked(pair);
+            Link { a, b, weight: weight(&points[a as usize], &points[b as usize], noise) }
+        }));
+        // Keys of one word sort several times as fast as links.
+        pairs.clear();
+        pairs.extend(all.iter().zip(0..).map(|(link, i)| packed((link.weight as f32).to_bits(), i)));
+        pairs.sort_unstable();
+        let unsorted = std::mem::take(all);
+        all.extend(pairs.iter().map(|&key| unsorted[unpacked(key).1 as usize]));
+    }
+
+    /// The pairs of each point and its nearest neighbours, each once.
+    fn pair_up(&mut self, points: &[Across], far: f64) {
+        let Links { cells, near, pairs, .. } = self;
+        cells.fill(points, far);
+        pairs.clear();
+        for (i, p) in (0..).zip(points) {
+            near.clear();
+            cells.around(p.place, |j| {
                 let q = points[j as usize].place;
                 let d2 = (p.place[0] - q[0]).powi(2) + (p.place[1] - q[1]).powi(2);
-                if j != i as u32 && d2 < far * far {
-                    near.push((d2, j));
+                if j != i && d2 < far * far {
+                    near.push(packed((d2 as f32).to_bits(), j));
                 }
             });
             if near.len() > NEAR {
-                near.select_nth_unstable_by(NEAR, |x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
+                near.select_nth_unstable(NEAR);
                 near.truncate(NEAR);
             }
-            for &(d2, j) in near.iter() {
-                let (a, b) = ((i as u32).min(j), (i as u32).max(j));
-                self.all.push(Link { a, b, weight: weight(p, &points[j as usize], d2.sqrt(), noise) });
-            }
+            pairs.extend(near.iter().map(|&key| unpacked(key).1).map(|j| packed(i.min(j), i.max(j))));
         }
-        self.all.sort_unstable_by(|x, y| x.weight.total_cmp(&y.weight).then((x.a, x.b).cmp(&(y.a, y.b))));
-        self.all.dedup_by(|x, y| (x.a, x.b) == (y.a, y.b));
+        pairs.sort_unstable();
+        pairs.dedup();
     }
 }
 
+/// Two numbers in one, ordered by the first and then by the second.
+fn packed(first: u32, second: u32) -> u64 {
+    u64::from(first) << 32 | u64::from(second)
+}
+
+fn unpacked(key: u64) -> (u32, u32) {
+    ((key >> 32) as u32, key as u32)
+}
+
 /// The angle between two normals and the step beyond what a bend by this angle explains.
-fn weight(p: &Across, q: &Across, length: f64, noise: f64) -> f64 {
+fn weight(p: &Across, q: &Across, noise: f64) -> f64 {
     let step = [q.place[0] - p.place[0], q.place[1] - p.place[1]];
+    let length = step[0].hypot(step[1]);
     let along = |n: [f64; 2]| (n[0] * step[0] + n[1] * step[1]).abs();
     let off = along(p.normal).min(along(q.normal));
     let angle = (p.normal[0] * q.normal[0] + p.normal[1] * q.normal[1]).abs().min(1.0).acos();
