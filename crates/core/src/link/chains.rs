@@ -1,10 +1,11 @@
 //! Chains of edgelets beside the strips: ours.
 //!
-//! `join` links edgelets to chains. A strip beside a chain is moved onto it (`snap`), as cross-sections that pool many points place
+//! `join` links edgelets to chains, and `close` those that continue each other. A strip beside a chain is moved onto it (`snap`), as cross-sections that pool many points place
 //! a crease better than single points do; stretches that no strip follows become strips of their own (`add`): the sides of narrow
 //! faces above all, which points by themselves cannot tell.
 
 mod add;
+mod close;
 mod join;
 mod samples;
 mod snap;
@@ -13,10 +14,13 @@ use crate::measure::Edgelet;
 use crate::pattern::LineGraph;
 use crate::surface::Scales;
 
+/// Least length of a chain that may be continued by others, in spacings.
+const SHORT: f64 = 2.0;
+
 /// Edgelets that follow each other along a crease; the last is joined to the first if `closed`.
 #[derive(Clone, Debug)]
-struct Chain<'a> {
-    members: Vec<&'a Edgelet>,
+struct Chain {
+    members: Vec<Edgelet>,
     closed: bool,
 }
 
@@ -25,7 +29,10 @@ pub(super) fn follow(lines: &mut LineGraph, edgelets: &[Edgelet], length: f64, s
     if edgelets.is_empty() {
         return;
     }
-    let chains = join::join(edgelets, length);
+    let at_least = |chains: Vec<Chain>, length: f64| -> Vec<Chain> {
+        chains.into_iter().filter(|c| join::extent(&c.members) >= length * c.members[0].spacing).collect()
+    };
+    let chains = at_least(close::close(at_least(join::join(edgelets), SHORT)), length);
     snap::snap(lines, &chains, scales);
     add::add(lines, &chains);
 }

@@ -43,7 +43,7 @@ fn edges(lines: &LineGraph) -> impl Iterator<Item = ([f64; 3], [f64; 3])> + '_ {
 }
 
 /// The free stretches of a row.
-fn runs<'a, 'b>(members: &'b [&'a Edgelet], free: &[bool]) -> Vec<&'b [&'a Edgelet]> {
+fn runs<'a>(members: &'a [Edgelet], free: &[bool]) -> Vec<&'a [Edgelet]> {
     let mut runs = Vec::new();
     let mut from = 0;
     for i in 0..=members.len() {
@@ -58,7 +58,7 @@ fn runs<'a, 'b>(members: &'b [&'a Edgelet], free: &[bool]) -> Vec<&'b [&'a Edgel
 }
 
 /// Adds a row of edgelets as a strip.
-fn add_run(lines: &mut LineGraph, run: &[&Edgelet]) -> Vec<u32> {
+fn add_run(lines: &mut LineGraph, run: &[Edgelet]) -> Vec<u32> {
     let added: Vec<u32> = run
         .iter()
         .map(|e| {

@@ -17,8 +17,8 @@ const ACROSS: f64 = 2.0;
 /// Least number of edgelets of a closed chain.
 const RING: usize = 4;
 
-/// The chains of at least `length` spacings.
-pub(super) fn join(edgelets: &[Edgelet], length: f64) -> Vec<Chain<'_>> {
+/// All edgelets in chains, some of them of one.
+pub(super) fn join(edgelets: &[Edgelet]) -> Vec<Chain> {
     let best = best(edgelets);
     let mutual = |i: usize, k: usize| best[i][k].filter(|&j| best[j].contains(&Some(i)));
     let mut used = vec![false; edgelets.len()];
@@ -29,10 +29,7 @@ pub(super) fn join(edgelets: &[Edgelet], length: f64) -> Vec<Chain<'_>> {
         }
         used[i] = true;
         let (path, closed) = walk(i, &mutual, &mut used);
-        let members: Vec<&Edgelet> = path.iter().map(|&j| &edgelets[j]).collect();
-        if extent(&members) >= length * edgelets[i].spacing {
-            chains.push(Chain { members, closed });
-        }
+        chains.push(Chain { members: path.iter().map(|&j| edgelets[j]).collect(), closed });
     }
     chains
 }
@@ -101,7 +98,8 @@ fn cost(e: &Edgelet, o: &Edgelet) -> Option<(bool, f64)> {
     follows.then_some((along > 0.0, along.abs() + ACROSS * across))
 }
 
-/// The length of a row of edgelets.
-pub(super) fn extent(members: &[&Edgelet]) -> f64 {
-    members.windows(2).map(|w| distance(w[0].place, w[1].place)).sum()
+/// The length of a row of edgelets, without gaps that were closed.
+pub(super) fn extent(members: &[Edgelet]) -> f64 {
+    let seen = members.windows(2).filter(|w| w[0].evidence > 0.0 && w[1].evidence > 0.0);
+    seen.map(|w| distance(w[0].place, w[1].place)).sum()
 }
