@@ -1,8 +1,8 @@
 //! Chains of edgelets beside the strips: ours.
 //!
-//! `join` links edgelets to chains, and `close` those that continue each other. A strip beside a chain is moved onto it (`snap`), as cross-sections that pool many points place
-//! a crease better than single points do; stretches that no strip follows become strips of their own (`add`): the sides of narrow
-//! faces above all, which points by themselves cannot tell.
+//! `join` links edgelets to chains, and `close` joins chains that continue each other. A strip beside a chain is moved onto it
+//! (`snap`), as cross-sections that pool many points place a crease better than single points do; stretches that no strip follows
+//! become strips of their own (`add`): the sides of narrow faces above all, which points by themselves cannot tell.
 
 mod add;
 mod close;
@@ -36,3 +36,6 @@ pub(super) fn follow(lines: &mut LineGraph, edgelets: &[Edgelet], length: f64, s
     snap::snap(lines, &chains, scales);
     add::add(lines, &chains);
 }
+
+#[cfg(test)]
+mod tests;
