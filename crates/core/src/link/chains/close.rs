@@ -1,12 +1,15 @@
 //! Gaps between chains closed where one continues the other: the ends face each other, and the faces beside them are the same.
 
 use super::Chain;
+use super::join::extent;
 use crate::math::vec3::{add, add_scaled, distance, dot, norm, scale, sub, unit};
 use crate::measure::Edgelet;
 use crate::neighbors::Index;
 
 /// Greatest gap, in spacings.
 const GAP: f64 = 10.0;
+/// Greatest gap over the length of the shorter of both chains.
+const LONGER: f64 = 2.0;
 /// Edgelets back from an end over which its direction is taken.
 const BACK: usize = 3;
 /// Least cosine between the direction of an end and the gap.
@@ -23,6 +26,8 @@ struct End {
     out: [f64; 3],
     arms: [[f64; 3]; 2],
     spacing: f64,
+    /// Length of the chain.
+    length: f64,
 }
 
 /// Joins chains that continue each other; ends are numbered `2 c` for the first of chain `c` and `2 c + 1` for its last.
@@ -53,7 +58,7 @@ fn end(chain: &Chain, first: bool) -> End {
         1 => scale(e.along, if first { -1.0 } else { 1.0 }),
         _ => unit(sub(e.place, chain.members[from].place)),
     };
-    End { place: e.place, out, arms: e.arms, spacing: e.spacing }
+    End { place: e.place, out, arms: e.arms, spacing: e.spacing, length: extent(&chain.members) }
 }
 
 /// The best end for each end to be joined with.
@@ -84,7 +89,7 @@ fn best(chains: &[Chain], ends: &[End]) -> Vec<Option<usize>> {
 fn cost(a: &End, b: &End) -> Option<f64> {
     let gap = sub(b.place, a.place);
     let length = norm(gap);
-    if length == 0.0 {
+    if length == 0.0 || length > LONGER * a.length.min(b.length) {
         return None;
     }
     let ahead = [dot(gap, a.out) / length, -dot(gap, b.out) / length];
