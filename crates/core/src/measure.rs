@@ -42,6 +42,8 @@ pub struct Edgelet {
     pub deviation: f64,
     /// Twice the log likelihood ratio of two smooth pieces against one.
     pub evidence: f64,
+    /// Length along the crease of the points that it rests on: edgelets nearer to each other share points.
+    pub reach: f64,
 }
 
 impl Edgelet {

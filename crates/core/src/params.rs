@@ -114,7 +114,7 @@ sections! {
     repair: RepairParams {
         /// Share of the evidence of a sharp fold that a crease must show to stay: rounds show none.
         sharp_share: f64 = 0.4, "", 0.0..=1.0;
-        /// Evidence that a connected piece of creases must show, since chance adds up to some twenty on noise.
+        /// Evidence that a connected piece of creases, or a chain of edgelets, must show, since chance adds up to some twenty on noise.
         evidence: f64 = 25.0, "variances", 0.0..=1000000.0;
         /// Length that a connected piece of lines needs to stay.
         piece_spacings: f64 = 5.0, "spacings", 0.0..=1000.0;

@@ -22,19 +22,37 @@ const SHORT: f64 = 2.0;
 struct Chain {
     members: Vec<Edgelet>,
     closed: bool,
+    /// Length in spacings of the longest of the chains that it was made of.
+    longest: f64,
 }
 
-/// Has the lines follow chains of edgelets that are at least `length` spacings long.
-pub(super) fn follow(lines: &mut LineGraph, edgelets: &[Edgelet], length: f64, scales: Scales) {
+/// Has the lines follow chains of edgelets that are at least `length` spacings long and show the `evidence`.
+pub(super) fn follow(
+    lines: &mut LineGraph,
+    edgelets: &[Edgelet],
+    length: f64,
+    evidence: f64,
+    scales: Scales,
+) {
     if edgelets.is_empty() {
         return;
     }
-    let at_least = |chains: Vec<Chain>, length: f64| -> Vec<Chain> {
-        chains.into_iter().filter(|c| join::extent(&c.members) >= length * c.members[0].spacing).collect()
-    };
-    let chains = at_least(close::close(at_least(join::join(edgelets), SHORT)), length);
+    let mut chains = join::join(edgelets);
+    chains.retain(|c| c.longest >= SHORT);
+    let mut chains = close::close(chains);
+    // Chains that were too short by themselves take more, all together, as there are many to choose from.
+    chains.retain(|c| c.longest >= length || join::extent(&c.members) >= 2.0 * length * c.members[0].spacing);
+    chains.retain(|c| shown(c) >= evidence);
     snap::snap(lines, &chains, scales);
     add::add(lines, &chains);
+}
+
+/// The evidence of a chain: that of an edgelet, as many times as edgelets along it rest on points of their own.
+fn shown(chain: &Chain) -> f64 {
+    let seen = || chain.members.iter().filter(|e| e.evidence > 0.0);
+    let count = seen().count() as f64;
+    let mean = |of: fn(&Edgelet) -> f64| seen().map(of).sum::<f64>() / count;
+    mean(|e| e.evidence) * (join::extent(&chain.members) / mean(|e| e.reach)).max(1.0)
 }
 
 #[cfg(test)]

@@ -36,7 +36,8 @@ pub(crate) fn link(
         PenaltyForm::Paper => {}
         PenaltyForm::Robust => {
             if spanning.creases {
-                follow(&mut pattern.crease, &measure.edgelets, params.edgelets.chain_spacings, scales);
+                let length = params.edgelets.chain_spacings;
+                follow(&mut pattern.crease, &measure.edgelets, length, repair.evidence, scales);
             }
             dock(&mut pattern, scales);
         }

@@ -37,6 +37,8 @@ pub(super) struct Section {
     /// Noise in spacings.
     pub(super) noise: f64,
     pub(super) points: Vec<Across>,
+    /// Number of stations, one spacing apart.
+    pub(super) stations: usize,
 }
 
 #[derive(Clone, Copy)]
@@ -59,6 +61,7 @@ impl Section {
         self.unit = resolution.spacing;
         self.noise = resolution.noise / resolution.spacing;
         self.points.clear();
+        self.stations = 1;
         self.pool(field, &start);
         let (fewest, noisy, most) = STATIONS;
         let reach = (fewest + noisy * self.noise).min(most) as usize;
@@ -68,6 +71,7 @@ impl Section {
                 let Some(next) = step(field, &at, sign * self.unit) else { break };
                 at = next;
                 self.pool(field, &at);
+                self.stations += 1;
             }
         }
         self.points.len() >= FEW

@@ -108,19 +108,22 @@ fn row(
     used: &mut [bool],
 ) -> Chain {
     let mut members: Vec<Edgelet> = Vec::new();
-    let mut at = start;
+    let (mut at, mut longest) = (start, 0.0f64);
     loop {
         let chain = &chains[at / 2];
         used[at / 2] = true;
+        longest = longest.max(chain.longest);
         match at % 2 {
             0 => members.extend(&chain.members),
             _ => members.extend(chain.members.iter().rev()),
         }
         let last = at ^ 1;
-        let Some(next) = partner(last) else { return Chain { members, closed: chain.closed } };
+        let Some(next) = partner(last) else {
+            return Chain { members, closed: chain.closed, longest };
+        };
         bridge(&mut members, &ends[last], &ends[next]);
         if next == start {
-            return Chain { members, closed: true };
+            return Chain { members, closed: true, longest };
         }
         at = next;
     }

@@ -29,7 +29,9 @@ pub(super) fn join(edgelets: &[Edgelet]) -> Vec<Chain> {
         }
         used[i] = true;
         let (path, closed) = walk(i, &mutual, &mut used);
-        chains.push(Chain { members: path.iter().map(|&j| edgelets[j]).collect(), closed });
+        let members: Vec<Edgelet> = path.iter().map(|&j| edgelets[j]).collect();
+        let longest = extent(&members) / edgelets[i].spacing;
+        chains.push(Chain { members, closed, longest });
     }
     chains
 }

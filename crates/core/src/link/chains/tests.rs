@@ -5,7 +5,7 @@ use crate::resolution::Resolution;
 const FACES: [[f64; 3]; 2] = [[0.0, 1.0, 0.0], [0.0, 0.0, -1.0]];
 
 fn edgelet(place: [f64; 3], along: [f64; 3], arms: [[f64; 3]; 2]) -> Edgelet {
-    Edgelet { place, point: 0, along, arms, spacing: 1.0, deviation: 0.1, evidence: 100.0 }
+    Edgelet { place, point: 0, along, arms, spacing: 1.0, deviation: 0.1, evidence: 100.0, reach: 9.0 }
 }
 
 /// Edgelets along x, one spacing apart.
@@ -17,7 +17,7 @@ fn row(from: i32, to: i32, arms: [[f64; 3]; 2]) -> Vec<Edgelet> {
 
 fn lines_of(edgelets: &[Edgelet]) -> LineGraph {
     let mut lines = LineGraph::default();
-    follow(&mut lines, edgelets, 5.0, Resolution { spacing: 1.0, noise: 0.0 }.into());
+    follow(&mut lines, edgelets, 5.0, 25.0, Resolution { spacing: 1.0, noise: 0.0 }.into());
     lines
 }
 
@@ -36,6 +36,17 @@ fn a_row_becomes_a_strip_and_a_short_one_does_not() {
     assert!((f64::from(fold) - 0.5 * std::f64::consts::PI).abs() < 1e-6);
     assert_eq!(lines_of(&row(0, 5, FACES)), LineGraph::default());
     assert_eq!(lines_of(&[]), LineGraph::default());
+}
+
+#[test]
+fn what_edgelets_show_together_counts_once_where_they_rest_on_the_same_points() {
+    let weak = |to: i32| {
+        let mut weak = row(0, to, FACES);
+        weak.iter_mut().for_each(|e| e.evidence = 10.0);
+        weak
+    };
+    assert_eq!(lines_of(&weak(20)), LineGraph::default());
+    assert_eq!(lines_of(&weak(25)).edge_count(), 24);
 }
 
 #[test]
@@ -58,16 +69,16 @@ fn rows_that_continue_each_other_become_one_where_their_faces_are_the_same() {
 #[test]
 fn rings_are_closed_also_over_a_gap() {
     let around = |k: i32| {
-        let (sin, cos) = (f64::from(k) / 6.0).sin_cos();
-        edgelet([6.0 * cos, 6.0 * sin, 0.0], [-sin, cos, 0.0], [[-cos, -sin, 0.0], [0.0, 0.0, -1.0]])
+        let (sin, cos) = (f64::from(k) / 12.0).sin_cos();
+        edgelet([12.0 * cos, 12.0 * sin, 0.0], [-sin, cos, 0.0], [[-cos, -sin, 0.0], [0.0, 0.0, -1.0]])
     };
-    // The circumference is 37.7: the last of 38 lies .7 before the first.
-    for count in [37, 33] {
+    // The circumference is 75.4: the last of 75 lies 1.4 before the first.
+    for count in [75, 70] {
         let lines = lines_of(&(0..count).map(around).collect::<Vec<_>>());
         assert_eq!(loose(&lines), 0, "{count}");
         assert!(lines.edges.iter().all(|list| list.len() == 2));
-        let off = |p: &[f64; 3]| (norm(*p) - 6.0).abs();
-        assert!(lines.positions.iter().all(|p| off(p) < 0.1), "{count}");
+        let off = |p: &[f64; 3]| (norm(*p) - 12.0).abs();
+        assert!(lines.positions.iter().all(|p| off(p) < 0.2), "{count}");
     }
 }
 
@@ -84,7 +95,7 @@ fn strips_move_onto_chains_beside_them_and_no_second_strip_is_added() {
         lines.add_edge(a, b);
     }
     let before = lines.clone();
-    follow(&mut lines, &row(0, 20, FACES), 5.0, Resolution { spacing: 1.0, noise: 0.0 }.into());
+    follow(&mut lines, &row(0, 20, FACES), 5.0, 25.0, Resolution { spacing: 1.0, noise: 0.0 }.into());
     assert_eq!(lines.edges, before.edges);
     for v in 0..23 {
         let moved = v < 20 && v != 10;
