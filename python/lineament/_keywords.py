@@ -96,8 +96,8 @@ class Parameters(TypedDict, total=False):
     """Share of the evidence of a sharp fold that a crease must show to stay: rounds show none. (a number from 0 to 1;
     default 0.4)"""
     repair_evidence: float
-    """Evidence that a connected piece of creases must show, since chance adds up to some twenty on noise. (variances; a
-    number from 0 to 1000000; default 25.0)"""
+    """Evidence that a connected piece of creases, or a chain of edgelets, must show, since chance adds up to some
+    twenty on noise. (variances; a number from 0 to 1000000; default 25.0)"""
     repair_piece_spacings: float
     """Length that a connected piece of lines needs to stay. (spacings; a number from 0 to 1000; default 5.0)"""
     repair_bridge_reach: float
