@@ -80,8 +80,8 @@ fn a_chamfer_with_a_slice_beside_its_fold_is_named() {
 #[test]
 fn parts_kept_out_are_named_too() {
     // The wedges beside a dovetail's groove want more slices than two.
-    let newest = verdicts(parts::newest().into_iter().step_by(2).collect(), 0.0, 81);
-    let older = verdicts(parts::held_out().into_iter().step_by(2).collect(), 0.0, 37);
+    let newest = verdicts(parts::newest().into_iter().step_by(3).collect(), 0.0, 81);
+    let older = verdicts(parts::held_out().into_iter().step_by(3).collect(), 0.0, 37);
     for (view, verdict) in older.into_iter().chain(newest) {
         assert!(verdict.missing.is_empty(), "{view}: {:?} missing", verdict.missing);
         assert!(verdict.extra.is_empty(), "{view}: {:?} are not there", verdict.extra);
