@@ -7,7 +7,7 @@ use crate::measure::{Class, Measure};
 use crate::method::{self, ClusterStages};
 use crate::neighbors::Neighbors;
 use crate::network::{Network, Strip};
-use crate::params::{Method, Params};
+use crate::params::Params;
 use crate::patch::{NO_PATCH, Patches};
 use crate::pattern::Pattern;
 use crate::prepare::{Prepared, prepare};
@@ -46,7 +46,7 @@ pub fn extract_with(
     params: &Params,
     detect: impl Fn(&[[f64; 3]], &Neighbors, Resolution) -> Measure,
 ) -> Result<Extraction, Error> {
-    let params = Params { method: Method::Penalty, ..params.clone() };
+    let params = method::with_own_detector(params);
     pipeline(world.as_ref(), &params, &|_| (), &|cloud| {
         let measure = detect(&cloud.positions, &cloud.graph, cloud.resolution);
         measure.check(cloud.positions.len(), method::wants_patches(&params))?;

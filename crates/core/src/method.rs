@@ -16,6 +16,11 @@ use crate::pattern::Pattern;
 use crate::prepare::Prepared;
 use crate::recover::{recover, take_back};
 
+/// The parameters for a detector of the caller's own: its measure goes to the linker of the method `penalty`.
+pub(crate) fn with_own_detector(params: &Params) -> Params {
+    Params { method: Method::Penalty, ..params.clone() }
+}
+
 /// Runs the method's detector.
 pub(crate) fn detect(cloud: &Prepared, params: &Params) -> Measure {
     let Prepared { positions, graph, resolution, .. } = cloud;
