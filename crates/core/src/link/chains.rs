@@ -44,7 +44,7 @@ pub(super) fn follow(
     chains.retain(|c| c.longest >= length || join::extent(&c.members) >= 2.0 * length * c.members[0].spacing);
     chains.retain(|c| shown(c) >= evidence);
     snap::snap(lines, &chains, scales);
-    add::add(lines, &chains);
+    add::add(lines, &chains, scales);
 }
 
 /// The evidence of a chain: that of an edgelet, as many times as edgelets along it rest on points of their own.

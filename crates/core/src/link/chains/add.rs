@@ -5,6 +5,7 @@ use super::join::extent;
 use super::samples::Samples;
 use crate::measure::{Edgelet, Evidence};
 use crate::pattern::LineGraph;
+use crate::surface::Scales;
 
 /// Distance from every strip at which an edgelet is free, in spacings.
 const CLEAR: f64 = 0.5;
@@ -14,9 +15,8 @@ const LENGTH: f64 = 4.0;
 const EVEN: f64 = 50.0;
 
 /// Adds the free stretches of all chains.
-pub(super) fn add(lines: &mut LineGraph, chains: &[Chain]) {
-    let spacing = chains.iter().flat_map(|c| &c.members).map(|e| e.spacing).fold(f64::INFINITY, f64::min);
-    let samples = Samples::new(edges(lines).map(|(a, b)| (a, b, spacing)));
+pub(super) fn add(lines: &mut LineGraph, chains: &[Chain], scales: Scales) {
+    let samples = Samples::new(edges(lines, scales));
     for chain in chains {
         let free: Vec<bool> = chain
             .members
@@ -36,10 +36,15 @@ pub(super) fn add(lines: &mut LineGraph, chains: &[Chain]) {
     }
 }
 
-fn edges(lines: &LineGraph) -> impl Iterator<Item = ([f64; 3], [f64; 3])> + '_ {
-    let ahead = |a: usize, list: &[u32]| list.iter().map(move |&b| (a, b as usize)).collect::<Vec<_>>();
-    let all = lines.edges.iter().enumerate().flat_map(move |(a, list)| ahead(a, list));
-    all.filter(|(a, b)| a < b).map(|(a, b)| (lines.positions[a], lines.positions[b]))
+/// The edges of the lines, each once, with the spacing of the cloud there.
+fn edges<'a>(
+    lines: &'a LineGraph,
+    scales: Scales<'a>,
+) -> impl Iterator<Item = ([f64; 3], [f64; 3], f64)> + 'a {
+    let all = lines.edges.iter().enumerate().flat_map(|(a, list)| list.iter().map(move |&b| (a, b as usize)));
+    all.filter(|(a, b)| a < b).map(move |(a, b)| {
+        (lines.positions[a], lines.positions[b], scales.at(lines.points[a] as usize).spacing)
+    })
 }
 
 /// The free stretches of a row.
