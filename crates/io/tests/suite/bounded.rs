@@ -104,3 +104,15 @@ fn a_thousand_damaged_files_are_read_or_refused_in_bounds() {
     assert!(paths.len() >= 1000, "{}", paths.len());
     check(&paths);
 }
+
+#[test]
+fn one_long_line_and_millions_of_properties_take_memory_in_proportion() {
+    let folder = tempfile::tempdir().unwrap();
+    let line = folder.path().join("line.off");
+    std::fs::write(&line, format!("OFF 1000000 0 0 {}", "1 2 3 ".repeat(1_000_000))).unwrap();
+    let properties: String = (0..2_000_000).map(|i| format!("property uchar {i:x}\n")).collect();
+    let header = format!("ply\nformat ascii 1.0\nelement vertex 1\n{properties}end_header\n");
+    let ply = folder.path().join("properties.ply");
+    std::fs::write(&ply, header).unwrap();
+    check(&[line, ply]);
+}

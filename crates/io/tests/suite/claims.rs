@@ -225,3 +225,27 @@ fn a_million_empty_records_behind_the_points_are_passed_over_at_once() {
     laz.resize(laz.len() + 60_000_000, 0);
     assert_eq!(read(&laz, "records.laz").unwrap().len(), 40);
 }
+
+#[test]
+fn parquet_pages_without_a_value_count_for_the_time_they_take() {
+    let one = parquet::file(Compression::UNCOMPRESSED, WriterVersion::PARQUET_1_0, false, 10);
+    // A page of no bytes: its kind, both its sizes, and a data page of no values in thrift's compact form.
+    let page = [0x15, 0, 0x15, 0, 0x15, 0, 0x2c, 0x15, 0, 0x15, 0, 0x15, 6, 0x15, 6, 0, 0];
+    let pages = |count: usize| {
+        let body = [b"PAR1".as_slice(), &page.repeat(count), &one[4..]].concat();
+        changed(&body, |mut builder| {
+            let group = builder.take_row_groups().remove(0);
+            let columns = group.columns().iter().map(|column| {
+                let size = (page.len() * count) as i64;
+                let column = column.clone().into_builder().set_data_page_offset(4);
+                column.set_total_compressed_size(size).set_total_uncompressed_size(size).build().unwrap()
+            });
+            let group = group.clone().into_builder().set_column_metadata(columns.collect()).build().unwrap();
+            builder.set_row_groups(vec![group])
+        })
+    };
+    let message = refusal(&pages(10), "few.parquet");
+    assert!(message.contains("whose pages hold 0 of 10 rows"), "{message}");
+    let message = refusal(&pages(400_000), "many.parquet");
+    assert!(message.contains("with which the pages unpack to more than twice that"), "{message}");
+}

@@ -162,3 +162,23 @@ fn geo_keys_give_the_code_that_well_known_text_has_not() {
     assert_eq!(epsg(coded, 26943), Some(2180));
     assert_eq!(epsg(esri, 32767), None);
 }
+
+#[test]
+fn geotiff_keys_name_the_epsg_code() {
+    let keyed = |entries: [[u16; 4]; 2]| {
+        let mut file = file(1, 3, None);
+        let there = file.windows(15).position(|w| w == b"LASF_Projection").unwrap();
+        put(&mut file, there + 16, &34735u16.to_le_bytes());
+        // The data begin 52 bytes after the name; what is left of the text are entries of no key.
+        let length = u16::from_le_bytes([file[there + 18], file[there + 19]]);
+        put(&mut file, there + 52, &vec![0; usize::from(length)]);
+        let keys = [[1, 1, 0, 2], entries[0], entries[1]].concat();
+        keys.iter().enumerate().for_each(|(i, key)| put(&mut file, there + 52 + 2 * i, &key.to_le_bytes()));
+        from_bytes(&file, "a.las", &ReadOptions::default()).unwrap()
+    };
+    let scan = keyed([[1024, 0, 1, 1], [3072, 0, 1, 25832]]);
+    assert_eq!((scan.epsg, scan.crs.as_deref()), (Some(25832), Some("EPSG:25832")));
+    assert_eq!(keyed([[1024, 0, 1, 2], [2048, 0, 1, 4326]]).epsg, Some(4326));
+    // A projected system defined by other keys is not the geographic one under it.
+    assert_eq!(keyed([[3072, 0, 1, 32767], [2048, 0, 1, 4258]]).epsg, None);
+}

@@ -1,7 +1,7 @@
 //! Fewer points, and several inputs as one.
 
 use crate::common::from_bytes;
-use lineament_io::{ReadOptions, Scan, read_all};
+use lineament_io::{ReadOptions, Returns, Scan, read_all};
 
 fn grid(options: ReadOptions) -> Scan {
     let mut text = String::from("x y z i\n");
@@ -56,4 +56,30 @@ fn several_inputs_are_one_cloud_with_the_attributes_they_share() {
     assert_eq!((scan.cloud.attributes.len(), scan.cloud.attributes[0].values.len()), (1, 3));
     assert!(scan.ignored[0].ends_with("alike: only"), "{:?}", scan.ignored);
     assert!(read_all(&[a, folder.path().join("none.csv")], &ReadOptions::default()).is_err());
+}
+
+#[test]
+fn classes_and_returns_are_chosen_by_the_columns_that_hold_them() {
+    let mut text = String::from("x,y,z,classification,return_number,number_of_returns\n");
+    for (i, [class, number, of]) in [[2, 1, 1], [6, 1, 2], [6, 2, 2], [2, 3, 3], [7, 1, 3]].iter().enumerate()
+    {
+        text += &format!("{i},0,0,{class},{number},{of}\n");
+    }
+    let read = |classes: &[u8], returns| {
+        let options = ReadOptions { classes: classes.to_vec(), returns, ..Default::default() };
+        from_bytes(text.as_bytes(), "a.csv", &options)
+    };
+    let kept = |classes: &[u8], returns| -> Vec<f64> {
+        read(classes, returns).unwrap().cloud.positions.iter().map(|p| p[0]).collect()
+    };
+    assert_eq!(kept(&[2, 7], None), [0.0, 3.0, 4.0]);
+    assert_eq!(kept(&[], Some(Returns::First)), [0.0, 1.0, 4.0]);
+    assert_eq!(kept(&[], Some(Returns::Last)), [0.0, 2.0, 3.0]);
+    assert_eq!(kept(&[], Some(Returns::Only)), [0.0]);
+    assert_eq!(kept(&[6], Some(Returns::Last)), [2.0]);
+    let message = read(&[9], None).unwrap_err().to_string();
+    assert!(message.contains("none of 5 points is of these classes"), "{message}");
+    let options = ReadOptions { returns: Some(Returns::Only), ..Default::default() };
+    let message = from_bytes(b"0 0 0\n1 0 0\n", "a.xyz", &options).unwrap_err().to_string();
+    assert!(message.contains("its points have no `"), "{message}");
 }

@@ -155,3 +155,27 @@ fn missing_and_non_finite_coordinates_are_kept_as_such() {
     assert!(points[0][1].is_nan() && points[1][0].is_nan() && points[1][1].is_infinite());
     assert_eq!(points[2], [7.0, 8.0, 9.0]);
 }
+
+#[test]
+fn heights_of_a_grid_lie_in_the_middles_of_its_cells_from_the_north() {
+    let grid = |header: &str, rows: &str| {
+        let text = format!("ncols 3\nnrows 2\n{header}cellsize 10\nNODATA_value -9999\n{rows}");
+        from_bytes(text.as_bytes(), "a.asc", &ReadOptions::default())
+    };
+    let corner = "xllcorner 3500000\nyllcorner 5400000\n";
+    let scan = grid(corner, "1 2 3\n4 -9999 6\n").unwrap();
+    let wanted = [[5.0, 15.0, 1.0], [15.0, 15.0, 2.0], [25.0, 15.0, 3.0], [5.0, 5.0, 4.0], [25.0, 5.0, 6.0]];
+    assert_eq!(scan.cloud.positions, wanted.map(|[x, y, z]| [3_500_000.0 + x, 5_400_000.0 + y, z]));
+    assert_eq!(scan.ignored, ["1 cells without a height"]);
+    let centre = grid("XLLCENTER 3500005\nYLLCENTER 5400005\n", "1 2 3\n4 5 6\n").unwrap();
+    assert_eq!(centre.cloud.positions[0], scan.cloud.positions[0]);
+    for (header, rows, expected) in [
+        (corner, "1 2 3\n4 5\n", "5 of 6 heights"),
+        (corner, "1 2 3\n4 5 6 7\n", "more heights than the 3 times 2"),
+        ("xllcorner 0\n", "1 2 3\n4 5 6\n", "without `yllcorner`"),
+        (corner, "1 2 3\n4 high 6\n", "height 5 of 6"),
+    ] {
+        let message = grid(header, rows).unwrap_err().to_string();
+        assert!(message.contains(expected), "{message}");
+    }
+}
