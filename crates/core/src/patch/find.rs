@@ -8,7 +8,7 @@ use crate::network::Network;
 
 /// The patches bounded by the strips of `network`, all in the local frame.
 pub(crate) fn patches(ground: &Ground, network: &Network) -> Patches {
-    let stations = stations::stations(network, ground.scales);
+    let stations = stations::stations(network, ground.scales, ground.points.len());
     let (stations, beside) = beside::beside(ground, stations);
     let label = flood::flood(ground, &beside);
     let count = label.iter().filter(|&&l| l != NO_PATCH).max().map_or(0, |&l| l as usize + 1);

@@ -12,6 +12,9 @@ const STATION_STEP: f64 = 0.6;
 /// Greatest number of stations for each source of a strip, beyond which they lie farther apart: in a cloud of two scales a strip
 /// can have any number of spacings. Links between points of one scale need less than half as many.
 const STATIONS_A_SOURCE: usize = 64;
+/// Greatest number of stations of all strips together for each point of the cloud: in a cloud of many scales the strips can have
+/// several times as many sources as the cloud has points.
+const STATIONS_A_POINT: usize = 16;
 
 /// A station: a place on a strip with its frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,19 +51,21 @@ impl Stations {
     }
 }
 
-/// Stations at the points of each strip, and between points that are far apart.
-pub fn stations(network: &Network, scales: Scales) -> Stations {
+/// Stations at the points of each strip, and between points that are far apart, in a cloud of `points` points.
+pub fn stations(network: &Network, scales: Scales, points: usize) -> Stations {
+    let sources: usize = network.strips.iter().map(|strip| strip.sources.len()).sum();
+    let each = (STATIONS_A_POINT * points / sources.max(1)).clamp(2, STATIONS_A_SOURCE);
     let mut stations = Stations { first: vec![0], ..Default::default() };
     for (s, strip) in network.strips.iter().enumerate() {
-        append(&mut stations.all, s as u32, strip, STATION_STEP * scales.finest(&strip.sources).spacing);
+        let step = STATION_STEP * scales.finest(&strip.sources).spacing;
+        append(&mut stations.all, s as u32, strip, &places(strip, step, each));
         stations.first.push(stations.all.len());
         stations.border.push(strip.kind == StripKind::Border);
     }
     stations
 }
 
-fn append(all: &mut Vec<Station>, number: u32, strip: &Strip, step: f64) {
-    let places = places(strip, step);
+fn append(all: &mut Vec<Station>, number: u32, strip: &Strip, places: &[[f64; 3]]) {
     let count = places.len();
     let first = all.len();
     for i in 0..count {
@@ -81,10 +86,10 @@ fn append(all: &mut Vec<Station>, number: u32, strip: &Strip, step: f64) {
     }
 }
 
-/// Points along a strip, including the closing segment of a loop, no farther than `step` apart as far as [`STATIONS_A_SOURCE`]
-/// allows.
-fn places(strip: &Strip, step: f64) -> Vec<[f64; 3]> {
-    let most = STATIONS_A_SOURCE * strip.sources.len().max(2);
+/// Points along a strip, including the closing segment of a loop, no farther than `step` apart as far as `each`, the number of
+/// stations for a source, allows.
+fn places(strip: &Strip, step: f64, each: usize) -> Vec<[f64; 3]> {
+    let most = each * strip.sources.len().max(2);
     let points = thinned(strip, most);
     let count = points.len();
     let segments = if strip.closed { count } else { count.saturating_sub(1) };
@@ -141,9 +146,9 @@ fn reflected(from: &Station, to: [f64; 3], tangent: [f64; 3]) -> [[f64; 3]; 2] {
 mod tests {
     use super::*;
 
-    #[test]
-    fn a_strip_of_any_number_of_spacings_has_a_bounded_number_of_stations() {
-        let strip = Strip {
+    /// A loop of 25 sources.
+    fn border() -> Strip {
+        Strip {
             kind: StripKind::Border,
             closed: true,
             start: None,
@@ -156,13 +161,27 @@ mod tests {
             evidence: None,
             curves: Vec::new(),
             confidence: 1.0,
-        };
+        }
+    }
+
+    #[test]
+    fn strips_of_any_number_have_a_bounded_number_of_stations_together() {
+        let network = Network { strips: vec![border(); 100], ..Network::default() };
+        let tiny = crate::Resolution { spacing: 1e-9, noise: 0.0 };
+        let count = |points| stations(&network, tiny.into(), points).all.len();
+        assert!((1600 * 100..=3200 * 100).contains(&count(1_000_000)));
+        assert!((8000..=2 * 16 * 500).contains(&count(500)), "{}", count(500));
+    }
+
+    #[test]
+    fn a_strip_of_any_number_of_spacings_has_a_bounded_number_of_stations() {
+        let strip = border();
         for step in [1e-310, 1e-100, 1e-3] {
-            let count = places(&strip, step).len();
+            let count = places(&strip, step, 64).len();
             assert!((1600..=3200).contains(&count), "{step:e}: {count}");
         }
-        assert_eq!(places(&strip, 1e6).len(), 1600);
+        assert_eq!(places(&strip, 1e6, 64).len(), 1600);
         let open = Strip { closed: false, ..strip };
-        assert_eq!(places(&open, 1e6).last(), open.points.last());
+        assert_eq!(places(&open, 1e6, 64).last(), open.points.last());
     }
 }
