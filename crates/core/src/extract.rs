@@ -6,7 +6,7 @@ use crate::frame::Frame;
 use crate::measure::{Class, Measure};
 use crate::method::{self, ClusterStages};
 use crate::neighbors::Neighbors;
-use crate::network::{Network, Strip};
+use crate::network::{Network, Strip, holes};
 use crate::params::Params;
 use crate::patch::{NO_PATCH, Patches};
 use crate::pattern::Pattern;
@@ -129,6 +129,17 @@ impl Extraction {
     /// kind. The classes of points stay.
     pub fn choose(&mut self, keep: impl Fn(&Strip) -> bool) {
         let stay = self.network.choose(keep);
+        self.patches = self.patches.take().map(|patches| patches.of_strips(&stay));
+    }
+
+    /// As [`choose`](Extraction::choose), leaves out the borders around holes in the surface that are shorter than `length`, in
+    /// the unit of `world`, the cloud that was extracted. Such a border is a closed line, or several that meet two by two, from
+    /// which the surface leads outwards: the edge of missing data, or of an opening as small.
+    pub fn choose_holes(&mut self, world: &Cloud, length: f64) {
+        let positions = self.source.iter().map(|&i| self.frame.to_local(world.positions[i as usize]));
+        let holes = holes(&self.network, &positions.collect::<Vec<_>>(), |p| self.frame.to_local(p));
+        let stay: Vec<bool> = holes.iter().map(|hole| hole.is_none_or(|around| around >= length)).collect();
+        self.network.keep(&stay);
         self.patches = self.patches.take().map(|patches| patches.of_strips(&stay));
     }
 

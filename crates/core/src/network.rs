@@ -1,8 +1,10 @@
 //! The feature network, the result: crease strips and border loops that meet in nodes.
 
+mod holes;
 mod strip;
 mod trace;
 
+pub(crate) use holes::holes;
 pub use strip::{Strip, StripKind};
 pub(crate) use trace::{Trace, trace};
 
@@ -68,6 +70,12 @@ impl Network {
     /// whether each strip stays.
     pub fn choose(&mut self, keep: impl Fn(&Strip) -> bool) -> Vec<bool> {
         let stay: Vec<bool> = self.strips.iter().map(keep).collect();
+        self.keep(&stay);
+        stay
+    }
+
+    /// As [`Network::choose`], by `(S)` whether each strip stays.
+    pub(crate) fn keep(&mut self, stay: &[bool]) {
         let mut next = stay.iter();
         self.strips.retain(|_| next.next().is_some_and(|&s| s));
         let mut degree = vec![0u32; self.nodes.len()];
@@ -86,7 +94,6 @@ impl Network {
         for end in self.strips.iter_mut().flat_map(|s| [&mut s.start, &mut s.end]) {
             *end = end.map(|n| number[n as usize]);
         }
-        stay
     }
 
     /// The number of closed strips.

@@ -44,6 +44,10 @@ pub struct Extract {
     /// Leave out lines less certain than this, from 0 to 1
     #[arg(long, help_heading = "Choosing lines", value_name = "SHARE", value_parser = parse::share)]
     pub min_confidence: Option<f64>,
+    /// Leave out borders around holes in the surface that are shorter than this, in the unit of the input: the edges of
+    /// missing data, and of openings as small
+    #[arg(long, help_heading = "Choosing lines", value_name = "LENGTH", value_parser = parse::length)]
+    pub min_hole: Option<f64>,
     /// Viewpoint of drawings (SVG): auto, top, bottom, front, back, left, right, iso, or X,Y,Z
     #[arg(long, default_value = "auto", allow_hyphen_values = true)]
     pub view: String,

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use lineament::Extraction;
 use lineament::apply::render::View;
+use lineament::{Cloud, Extraction};
 use lineament_io::{NetworkContext, NetworkFormat, ReadOptions, network_format, write_network};
 
 use super::context::context;
@@ -50,7 +50,7 @@ fn one(
     let input = work.load(origin, &ReadOptions { attributes: false, hash, ..Default::default() })?;
     let mut found = work.extract(origin, &input)?;
     let mut lines = summary::of(&input, &found, work.args.running.verbose);
-    lines.extend(choose(args, &mut found));
+    lines.extend(choose(args, &input.cloud, &mut found));
     let context = NetworkContext {
         view,
         millimetres: args.millimetres,
@@ -74,14 +74,21 @@ fn one(
 }
 
 /// Leaves out the lines that are not asked for; says how many.
-fn choose(args: &Extract, found: &mut Extraction) -> Option<String> {
+fn choose(args: &Extract, cloud: &Cloud, found: &mut Extraction) -> Vec<String> {
     let before = found.network.strips.len();
     let (length, confidence) = (args.min_length.unwrap_or(0.0), args.min_confidence.unwrap_or(0.0));
     if args.min_length.or(args.min_confidence).is_some() {
         found.choose(|strip| strip.length() >= length && strip.confidence >= confidence);
     }
-    let left = before - found.network.strips.len();
-    (left > 0).then(|| {
-        format!("{} of {before} left out: too short or too uncertain", summary::plural(left, "line"))
-    })
+    let chosen = found.network.strips.len();
+    if let Some(length) = args.min_hole {
+        found.choose_holes(cloud, length);
+    }
+    let left = [
+        (before - chosen, "too short or too uncertain"),
+        (chosen - found.network.strips.len(), "borders around small holes"),
+    ];
+    let some = left.into_iter().filter(|(count, _)| *count > 0);
+    some.map(|(count, why)| format!("{} of {before} left out: {why}", summary::plural(count, "line")))
+        .collect()
 }

@@ -46,3 +46,24 @@ fn lines_less_certain_than_asked_are_left_out() {
         all.iter().copied().filter(|&c| c >= middle).collect::<Vec<_>>()
     );
 }
+
+#[test]
+fn borders_around_small_holes_are_left_out_and_counted() {
+    let sandbox = Sandbox::new();
+    let mut points = Vec::new();
+    for k in 0..2500 {
+        let p = [f64::from(k % 50), f64::from(k / 50), 0.0];
+        if (p[0] - 25.0).hypot(p[1] - 22.0) > 7.0 {
+            points.push(p);
+        }
+    }
+    sandbox.write_points("sheet.xyz", &points);
+    let strips = |args: &[&str]| {
+        let run = sandbox.run(&[&["extract", "sheet.xyz", "-o", "a.json"], args].concat()).expect(0);
+        (json(&sandbox.path("a.json"))["strips"].as_array().unwrap().len(), run.stderr)
+    };
+    assert_eq!(strips(&["--min-hole", "30"]).0, 5);
+    let (left, said) = strips(&["--min-hole", "70"]);
+    assert_eq!(left, 4);
+    assert!(said.contains("1 line of 5 left out: borders around small holes"), "{said}");
+}

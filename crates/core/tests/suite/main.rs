@@ -3,6 +3,7 @@
 mod common;
 mod degenerate;
 mod false_lines;
+mod holes;
 mod metamorphic;
 mod naming;
 mod narrow_faces;
