@@ -1,6 +1,6 @@
 //! What fuzzing found: the smallest input of each finding.
 
-use crate::common::{from_bytes, from_pipe};
+use crate::common::{from_bytes, from_pipe, spent};
 use lineament::{Attribute, Cloud, Column};
 use lineament_io::{Format, PointFormat, PointTable, ReadOptions, read_from, write_points_to};
 use std::io::Cursor;
