@@ -133,10 +133,10 @@ impl Extraction {
     }
 
     /// As [`choose`](Extraction::choose), leaves out the borders around holes in the surface that are shorter than `length`, in
-    /// the unit of `world`, the cloud that was extracted. Such a border is a closed line, or several that meet two by two, from
+    /// the unit of `world`, the `(N, 3)` positions of the input. Such a border is a closed line, or several that meet two by two, from
     /// which the surface leads outwards: the edge of missing data, or of an opening as small.
-    pub fn choose_holes(&mut self, world: &Cloud, length: f64) {
-        let positions = self.source.iter().map(|&i| self.frame.to_local(world.positions[i as usize]));
+    pub fn choose_holes(&mut self, world: &[[f64; 3]], length: f64) {
+        let positions = self.source.iter().map(|&i| self.frame.to_local(world[i as usize]));
         let holes = holes(&self.network, &positions.collect::<Vec<_>>(), |p| self.frame.to_local(p));
         let stay: Vec<bool> = holes.iter().map(|hole| hole.is_none_or(|around| around >= length)).collect();
         self.network.keep(&stay);

@@ -82,7 +82,7 @@ fn choose(args: &Extract, cloud: &Cloud, found: &mut Extraction) -> Vec<String> 
     }
     let chosen = found.network.strips.len();
     if let Some(length) = args.min_hole {
-        found.choose_holes(cloud, length);
+        found.choose_holes(&cloud.positions, length);
     }
     let left = [
         (before - chosen, "too short or too uncertain"),

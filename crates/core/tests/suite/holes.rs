@@ -12,7 +12,7 @@ fn scan(shape: Shape) -> Cloud {
 #[track_caller]
 fn borders(cloud: &Cloud, length: f64) -> usize {
     let mut found = found(cloud);
-    found.choose_holes(cloud, length);
+    found.choose_holes(&cloud.positions, length);
     check::network(&found.network).unwrap();
     found.network.strips.iter().filter(|strip| strip.kind == StripKind::Border).count()
 }
@@ -39,10 +39,9 @@ fn a_hole_with_corners_is_left_out_with_them() {
     let grid = (0..60).flat_map(|x| (0..50).map(move |y| [f64::from(x), f64::from(y), 0.0]));
     let window = |p: &[f64; 3]| (20.0..35.0).contains(&p[0]) && (15.0..30.0).contains(&p[1]);
     let points: Vec<[f64; 3]> = grid.filter(|p| !window(p)).collect();
-    let cloud = cloud(&points);
-    let mut found = found(&cloud);
+    let mut found = found(&cloud(&points));
     assert_eq!((found.network.strips.len(), found.network.count(NodeKind::Corner)), (8, 8));
-    found.choose_holes(&cloud, 100.0);
+    found.choose_holes(&points, 100.0);
     check::network(&found.network).unwrap();
     assert_eq!((found.network.strips.len(), found.network.count(NodeKind::Corner)), (4, 4));
     assert!(found.network.strips.iter().all(|strip| strip.length() > 40.0));
