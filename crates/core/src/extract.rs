@@ -1,12 +1,14 @@
 //! The pipeline: from a cloud to its feature network.
 
+mod holes;
+
 use crate::classify::classes;
 use crate::error::Error;
 use crate::frame::Frame;
 use crate::measure::{Class, Measure};
 use crate::method::{self, ClusterStages};
 use crate::neighbors::Neighbors;
-use crate::network::{Network, Strip, holes};
+use crate::network::{Network, Strip};
 use crate::params::Params;
 use crate::patch::{NO_PATCH, Patches};
 use crate::pattern::Pattern;
@@ -136,8 +138,9 @@ impl Extraction {
     /// the unit of `world`, the `(N, 3)` positions of the input. Such a border is a closed line, or several that meet two by two, from
     /// which the surface leads outwards: the edge of missing data, or of an opening as small.
     pub fn choose_holes(&mut self, world: &[[f64; 3]], length: f64) {
-        let positions = self.source.iter().map(|&i| self.frame.to_local(world[i as usize]));
-        let holes = holes(&self.network, &positions.collect::<Vec<_>>(), |p| self.frame.to_local(p));
+        let positions = self.source.iter().filter_map(|&i| world.get(i as usize));
+        let local: Vec<[f64; 3]> = positions.map(|&p| self.frame.to_local(p)).collect();
+        let holes = holes::holes(&self.network, &local, |p| self.frame.to_local(p));
         let stay: Vec<bool> = holes.iter().map(|hole| hole.is_none_or(|around| around >= length)).collect();
         self.network.keep(&stay);
         self.patches = self.patches.take().map(|patches| patches.of_strips(&stay));

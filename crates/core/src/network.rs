@@ -1,10 +1,8 @@
 //! The feature network, the result: crease strips and border loops that meet in nodes.
 
-mod holes;
 mod strip;
 mod trace;
 
-pub(crate) use holes::holes;
 pub use strip::{Strip, StripKind};
 pub(crate) use trace::{Trace, trace};
 

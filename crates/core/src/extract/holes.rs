@@ -1,8 +1,8 @@
 //! Holes: closed borders with the surface around them.
 
-use super::{Network, Strip, StripKind};
 use crate::math::vec3::{add, cross, dot, norm, sub, unit};
 use crate::neighbors::{Found, Index};
+use crate::network::{Network, StripKind};
 
 /// Places along a loop at which it is asked where the surface lies.
 const PLACES: usize = 64;
@@ -41,7 +41,7 @@ fn loops(network: &Network) -> Vec<Vec<(usize, bool)>> {
     let strips = &network.strips;
     let mut at: Vec<Vec<usize>> = vec![Vec::new(); network.nodes.len()];
     for (s, strip) in strips.iter().enumerate() {
-        ends(strip).into_iter().flatten().for_each(|node| at[node as usize].push(s));
+        [strip.start, strip.end].into_iter().flatten().for_each(|node| at[node as usize].push(s));
     }
     let mut passed = vec![false; strips.len()];
     let mut found = Vec::new();
@@ -66,10 +66,6 @@ fn loops(network: &Network) -> Vec<Vec<(usize, bool)>> {
         }
     }
     found
-}
-
-fn ends(strip: &Strip) -> [Option<u32>; 2] {
-    [strip.start, strip.end]
 }
 
 /// The points on surfaces, and the search among them.
