@@ -34,6 +34,9 @@ fn no_line(extraction: &Extraction) -> Option<String> {
     let used = |key: &str| report.used.iter().find(|(k, _)| k == key).map_or("", |(_, value)| value.as_str());
     let not_sought = |kind: &str| used(&format!("spanning.{kind}")) == "false";
     let why = match (report.points, report.surface.scattered + report.surface.stray) {
+        _ if report.surface.none => {
+            "no point lies on a surface (--set surface.clutter=keep takes them as one)".into()
+        }
         (points, clutter) if clutter > points => {
             format!(
                 "{} lie on no surface (--set surface.clutter=keep takes them in)",

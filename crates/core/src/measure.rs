@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::math::vec3::dot;
+use crate::resolution::Resolution;
 
 /// The output of a detector: one row for each point, canonical order, local frame.
 ///
@@ -105,6 +106,16 @@ pub enum Class {
 }
 
 impl Measure {
+    /// The measure of `count` points on no surface.
+    pub(crate) fn of_clutter(count: usize, resolution: Resolution) -> Measure {
+        Measure {
+            density: vec![resolution.spacing as f32; count],
+            score: vec![0.0; count],
+            class: Some(vec![Class::Clutter; count]),
+            ..Measure::default()
+        }
+    }
+
     /// Checks that the rows are those of `count` points. Normals may be absent unless `with_normals`.
     ///
     /// # Errors

@@ -21,9 +21,12 @@ pub(crate) fn with_own_detector(params: &Params) -> Params {
     Params { method: Method::Penalty, ..params.clone() }
 }
 
-/// Runs the method's detector.
+/// Runs the method's detector; where there is no surface there is nothing to detect.
 pub(crate) fn detect(cloud: &Prepared, params: &Params) -> Measure {
     let Prepared { positions, graph, resolution, .. } = cloud;
+    if !cloud.has_surface() {
+        return Measure::of_clutter(positions.len(), *resolution);
+    }
     match params.method {
         Method::Auto => {
             let mut measure = penalty::penalty(positions, graph, cloud.scales(), &params.penalty);
@@ -45,6 +48,7 @@ pub(crate) fn link(
     params: &Params,
 ) -> (Pattern, Option<ClusterStages>) {
     match params.method {
+        _ if !cloud.has_surface() => Default::default(),
         Method::Auto | Method::Penalty | Method::Projection => {
             let rule = cycle_rule(cloud, params);
             (link::link(&cloud.graph, measure, cloud.scales(), params, rule), None)
@@ -70,6 +74,9 @@ pub(crate) fn patches(
     params: &Params,
 ) -> Patches {
     let Prepared { positions, graph, resolution, .. } = cloud;
+    if !cloud.has_surface() {
+        return Patches::without_surface(positions.len());
+    }
     let ground = Ground { points: positions, graph, normals: &measure.normal, scales: cloud.scales() };
     let first = patch::patches(&ground, network);
     let verified = params.method == Method::Segments && params.segments.form == SegmentForm::Robust;

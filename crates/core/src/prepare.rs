@@ -169,6 +169,11 @@ impl Prepared {
         self.positions.len() + self.merged + self.dropped < self.canonical.len()
     }
 
+    /// Whether any of the points lie on a surface, as far as this was asked.
+    pub(crate) fn has_surface(&self) -> bool {
+        !self.findings.none
+    }
+
     /// Spacing and noise at every point.
     pub(crate) fn scales(&self) -> Scales<'_> {
         Scales::new(self.resolution, &self.spacing)

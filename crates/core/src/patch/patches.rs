@@ -1,6 +1,7 @@
 //! The patches of a cloud: the result.
 
 use super::fit::Fit;
+use super::ground::NO_PATCH;
 use super::loops::{Coedge, Loop};
 use super::sides::Sides;
 use crate::frame::Frame;
@@ -35,6 +36,11 @@ pub struct Patch {
 }
 
 impl Patches {
+    /// Those of `count` points on no surface.
+    pub(crate) fn without_surface(count: usize) -> Patches {
+        Patches { label: vec![NO_PATCH; count], ..Patches::default() }
+    }
+
     /// The number of creases with two different patches beside them.
     pub fn separating(&self) -> usize {
         self.sides.iter().filter(|s| s.left.is_some() && s.right.is_some() && s.left != s.right).count()

@@ -9,8 +9,10 @@ use crate::pattern::{LineGraph, Path};
 use crate::resolution::Resolution;
 use crate::surface::Scales;
 
-/// Greatest number of points for one span of a curve: enough to follow any cubic, even where the span is very long.
+/// Greatest number of points for one control of a curve: enough to follow any cubic, even where the span is very long.
 const SPAN_POINTS: usize = 64;
+/// Greatest number of points for one edge of its path: an edge many spacings long has no more to tell.
+const EDGE_POINTS: usize = 16;
 
 /// Standard deviation across the line of a vertex of a clean cloud, in spacings.
 const LEAST_ERROR: f64 = 0.07;
@@ -47,7 +49,8 @@ pub(super) fn strip(
     let options = FitOptions { span, smoothing, closed: ends.is_none() };
     let (curve, parameters) = fit(&positions, options);
     let squares: f64 = positions.iter().zip(&parameters).map(|(&p, &t)| distance2(p, curve.point(t))).sum();
-    let points = polyline(&curve, params.step_spacings * resolution.spacing);
+    let most = (SPAN_POINTS * curve.controls.len()).min(EDGE_POINTS * positions.len());
+    let points = polyline(&curve, params.step_spacings * resolution.spacing, most);
     let curves = typed(&positions, &parameters, &curve, points.len(), resolution);
     Strip {
         kind,
@@ -108,10 +111,9 @@ fn fold_deg(lines: &LineGraph, path: &Path) -> Option<f64> {
     (count > 0).then(|| (folds().sum::<f64>() / count as f64).to_degrees())
 }
 
-/// Points on the curve about `step` apart; a closed curve's first is not repeated.
-fn polyline(curve: &BSpline, step: f64) -> Vec<[f64; 3]> {
+/// Points on the curve about `step` apart, `most` or fewer of them; a closed curve's first is not repeated.
+fn polyline(curve: &BSpline, step: f64, most: usize) -> Vec<[f64; 3]> {
     let (from, to) = curve.domain();
-    let most = SPAN_POINTS * curve.controls.len();
     let pieces = (((to - from) / step).ceil() as usize).clamp(if curve.periodic { 3 } else { 1 }, most);
     let last = if curve.periodic { pieces - 1 } else { pieces };
     let mut points: Vec<[f64; 3]> =

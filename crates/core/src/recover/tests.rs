@@ -86,3 +86,15 @@ fn a_chord_that_folds_stays() {
     assert!(!taken);
     assert_eq!(crease.edge_count(), 56);
 }
+
+#[test]
+fn a_long_edge_between_points_of_a_dense_place_has_few_points() {
+    // One edge of a thousand spacings of its points.
+    let mut lines = LineGraph::default();
+    row(&mut lines, [0.0; 3], [1000.0, 0.0, 0.0], 2);
+    let pattern = Pattern { border: lines, ..Pattern::default() };
+    let network = recover(&pattern, Resolution { spacing: 1.0, noise: 0.0 }, &SplineParams::default());
+    assert_eq!(network.strips.len(), 1);
+    let count = network.strips[0].points.len();
+    assert!((2..=33).contains(&count), "{count} points");
+}

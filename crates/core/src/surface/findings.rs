@@ -24,7 +24,7 @@ pub struct Findings {
     pub row_distance: f64,
     /// The range of spacings of nine in ten points on surfaces.
     pub spread: [f64; 2],
-    /// Whether no surface was found, so that no point was left out.
+    /// Whether no surface was found: every point is clutter.
     pub none: bool,
 }
 
@@ -57,7 +57,7 @@ impl Findings {
         let share = |some: usize| 100.0 * some as f64 / count as f64;
         let mut notes = Vec::new();
         if self.none {
-            notes.push("no surface was found; all points are used".into());
+            notes.push("no surface was found: the points fill a volume, or scatter".into());
         }
         if much(self.scattered) {
             notes.push(format!(

@@ -1,7 +1,7 @@
 //! Clouds whose sampling differs from place to place, and clouds with points on no surface.
 
 use crate::common::{checked, cloud, found};
-use lineament::params::{Auto, Clutter};
+use lineament::params::{Auto, Clutter, Method};
 use lineament::patch::Surface;
 use lineament::shapes::{Rng, Sampling, Scan, cube};
 use lineament::{Class, Params, check};
@@ -129,4 +129,21 @@ fn points_that_rows_are_thinned_of_have_the_class_and_score_of_those_beside_them
         assert_eq!((classes[i], scores[i]), (classes[beside], scores[beside]), "{i}");
     }
     assert!(classes.contains(&Class::Crease) && !classes.contains(&Class::Clutter));
+}
+
+#[test]
+fn a_filled_volume_has_no_line_and_says_so() {
+    let mut rng = Rng::new(5);
+    let points: Vec<[f64; 3]> = (0..3000).map(|_| [0; 3].map(|_| rng.uniform())).collect();
+    for method in [Method::Auto, Method::Segments, Method::Projection] {
+        let mut params = Params { method, ..Params::default() };
+        params.patches.find = Auto::Given(true);
+        let result = checked(&cloud(&points), &params).unwrap();
+        assert!(result.network.strips.is_empty() && result.report.surface.none, "{method:?}");
+        assert!(result.classes().iter().all(|&c| c == Class::Clutter), "{method:?}");
+        let patches = result.patches.unwrap();
+        assert_eq!((patches.label.len(), patches.patches.len()), (points.len(), 0));
+        params.surface.clutter = Clutter::Keep;
+        assert!(!checked(&cloud(&points), &params).unwrap().report.surface.none);
+    }
 }
