@@ -52,7 +52,10 @@ fn bounded(data: &[u8], read: impl FnOnce() -> Result<Scan, Error>) -> Result<Sc
     match &result {
         Ok(scan) => {
             let count = scan.cloud.len();
-            assert!(scan.cloud.attributes.iter().all(|a| a.values.len() == count), "columns differ in length");
+            assert!(
+                scan.cloud.attributes.iter().all(|a| a.values.len() == count),
+                "columns differ in length"
+            );
         }
         Err(error) => {
             let message = error.to_string();
@@ -65,9 +68,8 @@ fn bounded(data: &[u8], read: impl FnOnce() -> Result<Scan, Error>) -> Result<Sc
 
 /// A file and a pipe give the same points, or neither does.
 fn same(file: &Result<Scan, Error>, pipe: &Result<Scan, Error>) {
-    let bits = |scan: &Scan| -> Vec<[u64; 3]> {
-        scan.cloud.positions.iter().map(|p| p.map(f64::to_bits)).collect()
-    };
+    let bits =
+        |scan: &Scan| -> Vec<[u64; 3]> { scan.cloud.positions.iter().map(|p| p.map(f64::to_bits)).collect() };
     match (file, pipe) {
         (Ok(file), Ok(pipe)) => {
             assert_eq!(bits(file), bits(pipe), "a file and a pipe give different points");
@@ -94,6 +96,9 @@ pub fn with_checksums(data: &[u8]) -> Vec<u8> {
 
 fn crc32c(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(!0, |sum, byte| {
-        (0..8).fold(sum ^ u32::from(*byte), |sum, _| if sum & 1 == 1 { sum >> 1 ^ 0x82f6_3b78 } else { sum >> 1 })
+        (0..8).fold(
+            sum ^ u32::from(*byte),
+            |sum, _| if sum & 1 == 1 { sum >> 1 ^ 0x82f6_3b78 } else { sum >> 1 },
+        )
     })
 }
