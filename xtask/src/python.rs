@@ -6,9 +6,8 @@ use std::process::{Command, Stdio};
 
 use crate::workspace::{cargo, root, succeed};
 
-/// The profile of package and program unless another is named: that of users. `test` would not do, as cargo takes it for a wish to
-/// test the library.
-const PROFILE: &str = "release";
+/// The profile of the program unless another is named: that of tests, which have compiled most of it.
+const PROFILE: &str = "test";
 
 /// Said with a failure to make the environment.
 const NO_PYTHON: &str = "\
@@ -31,11 +30,15 @@ pub fn wheel() -> Result<(), String> {
 
 /// Installs the package in `out/python` by pip, as a user would, and runs its tests and the checks of its types.
 pub fn test(profile: Option<&str>) -> Result<(), String> {
+    let options = match profile {
+        Some(profile) => vec![format!("--profile={profile}")],
+        None => as_tested(&manifest()?),
+    };
     let profile = profile.unwrap_or(PROFILE);
     let python = environment()?;
     let asked = root().join("python").join("requirements.txt");
     or_say(pip(&python).args(["install", "--quiet", "--requirement"]).arg(asked), NO_PACKAGES)?;
-    let arguments = format!("build-args=--profile={profile}");
+    let arguments = format!("build-args={}", options.join(" "));
     let mut install = pip(&python);
     install.args(["install", "--no-deps", "--force-reinstall", "--config-settings", &arguments]);
     or_say(install.arg(root()), NO_PACKAGES)?;
@@ -45,6 +48,26 @@ pub fn test(profile: Option<&str>) -> Result<(), String> {
     let mut tests = Command::new(&python);
     tests.args(["-m", "pytest", "--quiet"]).current_dir(root());
     succeed(tests.env("LINEAMENT_PROGRAM", program(profile)))
+}
+
+fn manifest() -> Result<String, String> {
+    let path = root().join("Cargo.toml");
+    std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))
+}
+
+/// The profile `dev` with the settings of `test` in the manifest of the workspace: what the tests have compiled is then not compiled
+/// again. `test` cannot be named, which maturin's `cargo rustc` takes for a wish to test the library.
+fn as_tested(manifest: &str) -> Vec<String> {
+    let mut options = vec!["--profile=dev".to_owned()];
+    let mut section = None;
+    for line in manifest.lines().map(str::trim) {
+        if let Some(header) = line.strip_prefix('[') {
+            section = header.strip_suffix(']').and_then(|name| name.strip_prefix("profile.test"));
+        } else if let (Some(rest), Some((key, value))) = (section, line.split_once(" = ")) {
+            options.push(format!("--config=profile.dev{rest}.{key}={value}"));
+        }
+    }
+    options
 }
 
 /// The program of a profile.
@@ -79,4 +102,21 @@ fn pip(python: &Path) -> Command {
 
 fn or_say(command: &mut Command, advice: &str) -> Result<(), String> {
     succeed(command).map_err(|why| format!("{why}\n{advice}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_profile_of_development_gets_the_settings_of_tests() {
+        let manifest = "[profile.dev]\nopt-level = 2\n[profile.test]\n# Fast.\ndebug = false\n\n[profile.test.package.a]\nopt-level = 3\n";
+        let options = [
+            "--profile=dev",
+            "--config=profile.dev.debug=false",
+            "--config=profile.dev.package.a.opt-level=3",
+        ];
+        assert_eq!(as_tested(manifest), options);
+        assert!(as_tested(&super::manifest().unwrap()).len() > 1);
+    }
 }
