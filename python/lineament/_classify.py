@@ -51,14 +51,15 @@ class Classification:
         Parameters
         ----------
         path
-            ``.npy`` (the classes alone), ``.npz``, ``.parquet``, ``.ply``, ``.las``, ``.laz``, ``.pcd``, ``.xyz`` or ``.csv``.
+            ``.npy`` (the classes alone), ``.npz``, ``.parquet``, ``.ply``, ``.las``, ``.laz``, ``.pcd``, ``.xyz``, ``.csv``, or
+            ``.html`` (a report for browsers).
 
         Raises
         ------
         OutputError
             If no format has the extension, or the file cannot be written.
         """
-        _lineament.write_points(fspath(path), self.scan, self.classes, self.scores)
+        _lineament.write_points(fspath(path), self.scan, self.classes, self.scores, self.network)
 
     def __repr__(self) -> str:
         return f"Classification({len(self.classes)} points)"

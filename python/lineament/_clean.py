@@ -54,7 +54,8 @@ class Cleaned:
         Parameters
         ----------
         path
-            ``.npy`` (the positions alone), ``.npz``, ``.parquet``, ``.ply``, ``.las``, ``.laz``, ``.pcd``, ``.xyz`` or ``.csv``.
+            ``.npy`` (the positions alone), ``.npz``, ``.parquet``, ``.ply``, ``.las``, ``.laz``, ``.pcd``, ``.xyz``, ``.csv``, or
+            ``.html`` (a report for browsers).
         label
             Writes all points instead, with a column ``class``: 0 on a surface or not finite, 4 clutter. NPY holds the classes; in LAS
             and LAZ clutter also gets classification 7, noise.

@@ -336,7 +336,12 @@ class RawExtraction(TypedDict):
 @final
 class Found:
     def write(
-        self, path: str, inputs: Sequence[str], provenance: Provenance, view: str, millimetres: float | None
+        self,
+        path: str,
+        scan: Scan,
+        provenance: Provenance,
+        marks: tuple[npt.NDArray[np.uint8], npt.NDArray[np.int32] | None],
+        drawing: tuple[str, float | None],
     ) -> None: ...
     def write_patches(
         self,
@@ -349,7 +354,7 @@ class Found:
 
 @final
 class Cut:
-    def write(self, path: str, inputs: Sequence[str], provenance: Provenance, millimetres: float | None) -> None: ...
+    def write(self, path: str, scan: Scan, provenance: Provenance, millimetres: float | None) -> None: ...
 
 @final
 class Las: ...
@@ -388,7 +393,11 @@ def mark(
 ) -> RawMarks: ...
 def read(path: str, options: ReadOptions) -> RawScan: ...
 def write_points(
-    path: str, scan: Scan, classes: npt.NDArray[np.uint8], scores: npt.NDArray[np.float32]
+    path: str,
+    scan: Scan,
+    classes: npt.NDArray[np.uint8],
+    scores: npt.NDArray[np.float32],
+    network: Network | None,
 ) -> None: ...
 def parameters() -> list[RawParameter]: ...
 def write_network(

@@ -135,7 +135,8 @@ class Network:
         Parameters
         ----------
         path
-            ``.json``, ``.dxf``, ``.svg``, ``.obj``, ``.ply``, ``.geojson``, ``.gpkg``, ``.glb``, ``.vtp`` or ``.csv``.
+            ``.json``, ``.dxf``, ``.svg``, ``.obj``, ``.ply``, ``.geojson``, ``.gpkg``, ``.glb``, ``.vtp``, ``.csv``, or
+            ``.html`` (a report for browsers, of the lines without the points).
         view
             Viewpoint of drawings (SVG): auto, top, bottom, front, back, left, right, iso, or ``X,Y,Z``.
         millimetres

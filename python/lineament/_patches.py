@@ -116,7 +116,7 @@ class Patches:
         ----------
         path
             ``.json`` and ``.dxf`` hold loops and surfaces; ``.ply``, ``.las``, ``.npz`` and other formats of points hold the points
-            with the number of their patch.
+            with the number of their patch; ``.html`` is a report for browsers.
 
         Raises
         ------

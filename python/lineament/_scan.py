@@ -66,7 +66,8 @@ class Scan:
         Parameters
         ----------
         path
-            ``.npy`` (the positions alone), ``.npz``, ``.parquet``, ``.ply``, ``.las``, ``.laz``, ``.pcd``, ``.xyz`` or ``.csv``.
+            ``.npy`` (the positions alone), ``.npz``, ``.parquet``, ``.ply``, ``.las``, ``.laz``, ``.pcd``, ``.xyz``, ``.csv``, or
+            ``.html`` (a report for browsers).
 
         Raises
         ------

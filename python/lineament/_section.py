@@ -17,7 +17,7 @@ from lineament._network import Path, Provenance
 from lineament._parameters import section_settings, signed
 from lineament._points import PointsLike
 from lineament._progress import watcher
-from lineament._scan import as_scan, provenance
+from lineament._scan import Scan, as_scan, provenance
 from lineament._stack import Stack
 
 if TYPE_CHECKING:
@@ -131,8 +131,9 @@ class Sections:
     stack: Stack
     """What the stack of slices shows; empty without ``fit``."""
     provenance: Provenance = field(repr=False)
+    scan: Scan = field(repr=False)
+    """The points, as they were given."""
     _cut: _lineament.Cut = field(repr=False)
-    _files: list[str] = field(repr=False)
 
     def write(self, path: Path, *, millimetres: float | None = None) -> None:
         """Writes the sections, as ``lineament section -o``: whole or not at all, in the format of the extension.
@@ -140,7 +141,8 @@ class Sections:
         Parameters
         ----------
         path
-            ``.json``, ``.dxf``, ``.svg``, ``.obj``, ``.ply``, ``.geojson`` or ``.gpkg``.
+            ``.json``, ``.dxf``, ``.svg``, ``.obj``, ``.ply``, ``.geojson``, ``.gpkg``, or ``.html`` (a report for browsers, with
+            the points).
         millimetres
             Millimetres of a drawing for one unit of the input; without, it is fitted to 200 mm.
 
@@ -149,7 +151,7 @@ class Sections:
         OutputError
             If no format has the extension, or the file cannot be written.
         """
-        self._cut.write(fspath(path), self._files, self.provenance, millimetres)
+        self._cut.write(fspath(path), self.scan, self.provenance, millimetres)
 
     def __iter__(self) -> Iterator[Section]:
         return iter(self.sections)
@@ -202,8 +204,8 @@ def section(
         [_section(one) for one in raw["sections"]],
         Stack._of(raw["stack"]),
         provenance(scan),
+        scan,
         raw["cut"],
-        scan.files,
     )
 
 

@@ -25,7 +25,7 @@ def scan(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.parametrize("label", [False, True])
-@pytest.mark.parametrize("extension", ["ply", "npy", "laz", "csv"])
+@pytest.mark.parametrize("extension", ["ply", "npy", "laz", "csv", "html"])
 def test_points_are_written_as_by_the_program(extension: str, label: bool, scan: Path, tmp_path: Path, program: Any) -> None:
     ours, theirs = tmp_path / f"ours.{extension}", tmp_path / f"theirs.{extension}"
     done = program("clean", scan, *(["--label"] if label else []), "-o", theirs)

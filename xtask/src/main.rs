@@ -14,7 +14,7 @@ const USAGE: &str = "\
 Usage: cargo xtask TASK
 
   test [ARGS...]    run all tests; ARGS go to `cargo test`
-  python [PROFILE]  install the Python package in out/python and run its tests; PROFILE of cargo, `test` unless named
+  python [PROFILE]  install the Python package in out/python and run its tests; PROFILE of cargo, `dev` unless named
   wheel             build the wheel of the Python package into out/wheels
   rivals            compare with other programs; installs them in `out` by pip and npm, and a browser by apt if none is there
   man               write the manual pages to out/man

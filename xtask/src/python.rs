@@ -6,8 +6,9 @@ use std::process::{Command, Stdio};
 
 use crate::workspace::{cargo, root, succeed};
 
-/// The profile of the program unless another is named: that of tests, which have compiled most of it.
-const PROFILE: &str = "test";
+/// The profile of package and program unless another is named. That of tests inherits it, and they have compiled most of it; `test`
+/// itself could not be named, as maturin's `cargo rustc` takes it for a wish to test the library.
+const PROFILE: &str = "dev";
 
 /// Said with a failure to make the environment.
 const NO_PYTHON: &str = "\
@@ -30,15 +31,11 @@ pub fn wheel() -> Result<(), String> {
 
 /// Installs the package in `out/python` by pip, as a user would, and runs its tests and the checks of its types.
 pub fn test(profile: Option<&str>) -> Result<(), String> {
-    let options = match profile {
-        Some(profile) => vec![format!("--profile={profile}")],
-        None => as_tested(&manifest()?),
-    };
     let profile = profile.unwrap_or(PROFILE);
     let python = environment()?;
     let asked = root().join("python").join("requirements.txt");
     or_say(pip(&python).args(["install", "--quiet", "--requirement"]).arg(asked), NO_PACKAGES)?;
-    let arguments = format!("build-args={}", options.join(" "));
+    let arguments = format!("build-args=--profile={profile}");
     let mut install = pip(&python);
     install.args(["install", "--no-deps", "--force-reinstall", "--config-settings", &arguments]);
     or_say(install.arg(root()), NO_PACKAGES)?;
@@ -50,29 +47,9 @@ pub fn test(profile: Option<&str>) -> Result<(), String> {
     succeed(tests.env("LINEAMENT_PROGRAM", program(profile)))
 }
 
-fn manifest() -> Result<String, String> {
-    let path = root().join("Cargo.toml");
-    std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))
-}
-
-/// The profile `dev` with the settings of `test` in the manifest of the workspace: what the tests have compiled is then not compiled
-/// again. `test` cannot be named, which maturin's `cargo rustc` takes for a wish to test the library.
-fn as_tested(manifest: &str) -> Vec<String> {
-    let mut options = vec!["--profile=dev".to_owned()];
-    let mut section = None;
-    for line in manifest.lines().map(str::trim) {
-        if let Some(header) = line.strip_prefix('[') {
-            section = header.strip_suffix(']').and_then(|name| name.strip_prefix("profile.test"));
-        } else if let (Some(rest), Some((key, value))) = (section, line.split_once(" = ")) {
-            options.push(format!("--config=profile.dev{rest}.{key}={value}"));
-        }
-    }
-    options
-}
-
 /// The program of a profile.
 fn program(profile: &str) -> PathBuf {
-    let folder = if matches!(profile, "test" | "dev") { "debug" } else { profile };
+    let folder = if matches!(profile, "dev" | "test") { "debug" } else { profile };
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
     target.join(folder).join(if cfg!(windows) { "lineament.exe" } else { "lineament" })
 }
@@ -102,21 +79,4 @@ fn pip(python: &Path) -> Command {
 
 fn or_say(command: &mut Command, advice: &str) -> Result<(), String> {
     succeed(command).map_err(|why| format!("{why}\n{advice}"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_profile_of_development_gets_the_settings_of_tests() {
-        let manifest = "[profile.dev]\nopt-level = 2\n[profile.test]\n# Fast.\ndebug = false\n\n[profile.test.package.a]\nopt-level = 3\n";
-        let options = [
-            "--profile=dev",
-            "--config=profile.dev.debug=false",
-            "--config=profile.dev.package.a.opt-level=3",
-        ];
-        assert_eq!(as_tested(manifest), options);
-        assert!(as_tested(&super::manifest().unwrap()).len() > 1);
-    }
 }

@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use lineament::clean_observed;
-use lineament_io::{label_clutter, write_cleaned};
+use lineament_io::{Report, label_clutter, write_cleaned};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::fault::Fault;
+use crate::page::is_page;
 use crate::report::{self, ReportOut};
 use crate::scan::ScanIn;
 use crate::settings::{self, Setting};
@@ -51,8 +52,13 @@ pub fn write_scan(
     clutter: Option<PyReadonlyArray1<'_, u32>>,
 ) -> PyResult<()> {
     let (las, inputs) = (scan.las.clone(), scan.files.clone());
-    let mut cloud = scan.cloud()?;
     let clutter = clutter.map(|clutter| clutter.as_array().to_vec());
+    if is_page(&path) {
+        let mut scanned = scan.scanned()?;
+        let labels = clutter.map(|clutter| label_clutter(&mut scanned.cloud, &clutter)).unwrap_or_default();
+        return scanned.write(py, &path, &Report { classes: &labels, ..scanned.report() });
+    }
+    let mut cloud = scan.cloud()?;
     let las = las.as_ref().map(|las| &las.get().0);
     let labelled = || {
         let labels = clutter.map(|clutter| label_clutter(&mut cloud, &clutter));

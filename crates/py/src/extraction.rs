@@ -1,15 +1,16 @@
 //! `extract`: points in, network, classes and report out.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use lineament::patch::NO_PATCH;
 use lineament::{Attribute, Column, Extraction, Network, Patches, extract_observed};
-use lineament_io::{PointTable, write_network, write_patches};
+use lineament_io::{NetworkContext, PointTable, Report, write_network, write_patches};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::fault::Fault;
 use crate::network::{self, NetworkOut};
+use crate::page::is_page;
 use crate::patches::{self, PatchesOut};
 use crate::provenance::Provenance;
 use crate::report::{self, ReportOut};
@@ -99,19 +100,51 @@ fn out(py: Python<'_>, kept: Kept) -> PyResult<ExtractionOut<'_>> {
     })
 }
 
+/// `(N)` class of each point, and its patch, -1 for none, if these were looked for.
+type Marks<'py> = (PyReadonlyArray1<'py, u8>, Option<PyReadonlyArray1<'py, i32>>);
+
+impl Found {
+    /// Writes a report of the lines, and of the patches if these were looked for, with the points.
+    fn write_page(
+        &self,
+        py: Python<'_>,
+        path: &Path,
+        scan: ScanIn<'_>,
+        context: &NetworkContext,
+        (classes, labels): Marks<'_>,
+    ) -> PyResult<()> {
+        let unsigned = |&label: &i32| u32::try_from(label).unwrap_or(NO_PATCH);
+        let labels = labels.map(|labels| labels.as_array().iter().map(unsigned).collect::<Vec<u32>>());
+        let (scanned, classes) = (scan.scanned()?, classes.as_array().to_vec());
+        let report = Report {
+            classes: &classes,
+            labels: &labels.unwrap_or_default(),
+            network: Some(&self.network),
+            context,
+            ..scanned.report()
+        };
+        scanned.write(py, path, &report)
+    }
+}
+
 #[pymethods]
 impl Found {
-    /// Writes the network to a file, in the format of its extension.
+    /// Writes the network to a file, in the format of its extension. A report shows the points of `scan` with their `marks`;
+    /// `drawing` is the view of a drawing and its millimetres for one unit.
     fn write(
         &self,
         py: Python<'_>,
         path: PathBuf,
-        inputs: Vec<PathBuf>,
+        scan: ScanIn<'_>,
         provenance: Provenance,
-        view: &str,
-        millimetres: Option<f64>,
+        marks: Marks<'_>,
+        drawing: (String, Option<f64>),
     ) -> PyResult<()> {
-        let context = provenance.context(self.patches.clone(), view, millimetres)?;
+        let context = provenance.context(self.patches.clone(), &drawing.0, drawing.1)?;
+        if is_page(&path) {
+            return self.write_page(py, &path, scan, &context, marks);
+        }
+        let inputs = scan.files.clone();
         Ok(py.detach(|| write_network(&path, &inputs, &self.network, &context)).map_err(Fault::from)?)
     }
 
@@ -126,6 +159,9 @@ impl Found {
     ) -> PyResult<()> {
         let context = provenance.context(self.patches.clone(), "auto", None)?;
         let (py, las, inputs) = (labels.py(), scan.las.clone(), scan.files.clone());
+        if is_page(&path) {
+            return self.write_page(py, &path, scan, &context, (classes, Some(labels)));
+        }
         let mut cloud = scan.cloud()?;
         let values = Column::I32(labels.as_array().to_vec());
         cloud.attributes.insert(0, Attribute { name: "patch".into(), values });

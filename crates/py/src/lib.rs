@@ -10,6 +10,7 @@ mod extraction;
 mod fault;
 mod marks;
 mod network;
+mod page;
 mod patches;
 mod picture;
 mod program;

@@ -5,11 +5,13 @@ use std::path::PathBuf;
 use lineament::detect::baselines::Detector;
 use lineament::detect::points::mark_observed;
 use lineament::params::ParamValue;
-use lineament_io::{PointTable, write_points as write};
+use lineament_io::{PointTable, Report, write_points as write};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::fault::Fault;
+use crate::network::NetworkIn;
+use crate::page::is_page;
 use crate::report::{self, ReportOut};
 use crate::scan::ScanIn;
 use crate::settings::{self, Setting};
@@ -53,17 +55,25 @@ pub fn mark<'py>(
     Ok(MarksOut { classes, scores, report: report::out(&report) })
 }
 
-/// Writes the points of `scan` with their attributes, classes and scores to a file, in the format of its extension.
+/// Writes the points of `scan` with their attributes, classes and scores to a file, in the format of its extension. A report shows the
+/// lines of `network` too.
 #[pyfunction]
+#[pyo3(signature = (path, scan, classes, scores, network))]
 pub fn write_points(
     path: PathBuf,
     scan: ScanIn<'_>,
     classes: PyReadonlyArray1<'_, u8>,
     scores: PyReadonlyArray1<'_, f32>,
+    network: Option<NetworkIn<'_>>,
 ) -> PyResult<()> {
     let (py, las, inputs) = (classes.py(), scan.las.clone(), scan.files.clone());
-    let cloud = scan.cloud()?;
     let (classes, scores) = (classes.as_array().to_vec(), scores.as_array().to_vec());
+    if is_page(&path) {
+        let (scanned, network) = (scan.scanned()?, network.map(|n| n.network()).transpose()?);
+        let report = Report { classes: &classes, network: network.as_ref(), ..scanned.report() };
+        return scanned.write(py, &path, &report);
+    }
+    let cloud = scan.cloud()?;
     let las = las.as_ref().map(|las| &las.get().0);
     let table = PointTable { cloud: &cloud, classes: &classes, scores: &scores, las };
     Ok(py.detach(|| write(&path, &inputs, &table)).map_err(Fault::from)?)

@@ -4,14 +4,18 @@ use std::path::PathBuf;
 
 use lineament::Cloud;
 use lineament::mesh::MeshPoints;
-use lineament_io::{Format, LasFrame, Missing, ReadOptions, Returns, read as read_file};
+use lineament_io::{Format, LasFrame, Missing, NetworkContext, ReadOptions, Returns, read as read_file};
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 
 use crate::arrays::attributes::{self, Named};
 use crate::arrays::{rows, table};
 use crate::fault::Fault;
+use crate::page::Scanned;
 use crate::work::alone;
+
+/// Formats in which y points up.
+const Y_UP: [&str; 2] = ["glTF", "GLB"];
 
 /// How a LAS or LAZ file stored its coordinates, for outputs that are to be like it.
 #[pyclass(frozen, module = "lineament._lineament")]
@@ -26,9 +30,30 @@ pub struct ScanIn<'py> {
     pub las: Option<Bound<'py, Las>>,
     /// The files that it was read from.
     pub files: Vec<PathBuf>,
+    name: String,
+    format: Option<String>,
+    crs: Option<String>,
+    crs_wkt: Option<String>,
+    sha256: Option<String>,
 }
 
 impl ScanIn<'_> {
+    /// The scan for a report.
+    pub fn scanned(self) -> Result<Scanned, Fault> {
+        let y_up = self.format.as_ref().is_some_and(|f| Y_UP.contains(&f.as_str()));
+        let provenance = NetworkContext {
+            program_version: env!("CARGO_PKG_VERSION").into(),
+            input_name: self.name.clone(),
+            input_sha256: self.sha256.clone(),
+            input_points: rows(&self.points)?.len() as u64,
+            crs: self.crs.clone(),
+            crs_wkt: self.crs_wkt.clone(),
+            ..NetworkContext::default()
+        };
+        let up = if y_up { [0.0, 1.0, 0.0] } else { [0.0, 0.0, 1.0] };
+        Ok(Scanned { files: self.files.clone(), cloud: self.cloud()?, provenance, up })
+    }
+
     /// The points with their attributes, for a writer.
     pub fn cloud(self) -> Result<Cloud, Fault> {
         Ok(Cloud { positions: rows(&self.points)?.to_vec(), attributes: attributes::back(self.columns)? })

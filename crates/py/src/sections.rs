@@ -6,14 +6,16 @@ use std::path::PathBuf;
 
 use lineament::params::ParamValue;
 use lineament::section::{Contour, CurvePiece, CurveShape, Section, Sections, Stack, section_observed};
-use lineament_io::{SectionContext, write_sections};
+use lineament_io::{Report, SectionContext, write_sections};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::prelude::*;
 
 use crate::arrays::{table, triple};
 use crate::curves::{CurveOut, curve};
 use crate::fault::Fault;
+use crate::page::is_page;
 use crate::provenance::Provenance;
+use crate::scan::ScanIn;
 use crate::settings::{self, Setting};
 use crate::work::{Observe, on_rows};
 use stack::StackOut;
@@ -161,15 +163,21 @@ fn piece<'py>(py: Python<'py>, piece: &CurvePiece) -> PyResult<PieceOut<'py>> {
 
 #[pymethods]
 impl Cut {
-    /// Writes the sections to a file, in the format of its extension.
+    /// Writes the sections to a file, in the format of its extension. A report shows the points of `scan` too.
     fn write(
         &self,
         py: Python<'_>,
         path: PathBuf,
-        inputs: Vec<PathBuf>,
+        scan: ScanIn<'_>,
         provenance: Provenance,
         millimetres: Option<f64>,
     ) -> PyResult<()> {
+        if is_page(&path) {
+            let scanned = scan.scanned()?;
+            let sections = Some((&self.sections, &self.stack));
+            return scanned.write(py, &path, &Report { sections, ..scanned.report() });
+        }
+        let inputs = scan.files.clone();
         let context: SectionContext = provenance.of_sections(self.stack.clone(), millimetres);
         Ok(py.detach(|| write_sections(&path, &inputs, &self.sections, &context)).map_err(Fault::from)?)
     }
