@@ -8,8 +8,9 @@ from pathlib import Path
 
 import make_gallery
 import pytest
+from test_notebooks import ROOT
 
-PAGE = make_gallery.ROOT / "docs" / "gallery.md"
+PAGE = ROOT / "docs" / "gallery.md"
 
 
 def size(png: bytes) -> tuple[int, int]:

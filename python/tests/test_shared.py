@@ -23,7 +23,7 @@ CLOUDS = (
     "brep/21242_6c2af7c2_7_c",
 )
 SPHERE = "cad/neg_sphere_20k_n25"
-Method = Literal["penalty", "projection", "segments"]
+Method = Literal["auto", "penalty", "projection", "segments"]
 
 
 def documents(cloud: str, method: Method, folder: Path, program: Any) -> tuple[str, str]:
