@@ -10,9 +10,9 @@ use pyo3::prelude::*;
 
 use crate::fault::Fault;
 use crate::network::{self, NetworkOut};
-use crate::page::is_page;
 use crate::patches::{self, PatchesOut};
 use crate::provenance::Provenance;
+use crate::report::page::is_page;
 use crate::report::{self, ReportOut};
 use crate::scan::ScanIn;
 use crate::settings::{self, Setting};

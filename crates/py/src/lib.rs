@@ -10,7 +10,6 @@ mod extraction;
 mod fault;
 mod marks;
 mod network;
-mod page;
 mod patches;
 mod picture;
 mod program;

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 
 use crate::fault::Fault;
 use crate::network::NetworkIn;
-use crate::page::is_page;
+use crate::report::page::is_page;
 use crate::report::{self, ReportOut};
 use crate::scan::ScanIn;
 use crate::settings::{self, Setting};

@@ -1,5 +1,7 @@
 //! The report of an extraction.
 
+pub mod page;
+
 use lineament::Report;
 use pyo3::prelude::*;
 

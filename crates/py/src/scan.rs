@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use crate::arrays::attributes::{self, Named};
 use crate::arrays::{rows, table};
 use crate::fault::Fault;
-use crate::page::Scanned;
+use crate::report::page::Scanned;
 use crate::work::alone;
 
 /// Formats in which y points up.
