@@ -15,6 +15,7 @@
 mod face;
 mod line_index;
 mod nearest;
+mod outline;
 mod parts;
 mod random;
 mod samples;
@@ -26,6 +27,7 @@ mod turns;
 
 pub use face::{Face, Trim};
 pub use line_index::LineIndex;
+pub use outline::{Edge, Outline, gear, polygon, ring, rounded_rectangle, slot};
 pub use parts::*;
 pub use random::Rng;
 pub use samples::{DEFAULT_SAMPLE, Sample, sample, samples};

@@ -13,6 +13,7 @@ mod pockets;
 mod polyhedron;
 mod revolution;
 mod sheets;
+mod walls;
 
 pub use blocks::{chamfered_block, cuboid, regular_prism, star_prism, tapered_block, wedge};
 pub use bracket::bracket;
@@ -26,3 +27,4 @@ pub use machined::{channel, counterbored_plate, hex_nut, hollow_shaft, slotted_p
 pub use pockets::{pocketed_block, punched_plate};
 pub use revolution::{cone, revolve, sphere, stepped_shaft, torus, tube};
 pub use sheets::{bent_sheet, sheet, sheet_with_hole};
+pub use walls::walls;

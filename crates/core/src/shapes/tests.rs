@@ -44,6 +44,8 @@ fn all() -> Vec<Shape> {
         dovetail(),
         pulley(),
         manifold(),
+        walls("slot", &[slot(3.0, 1.0), ring([0.5, 0.0], 0.3)], 1.5),
+        walls("channel", &[polygon(&[[0.0, 1.0], [0.0, 0.0], [2.0, 0.0], [2.0, 1.0]], false)], 1.2),
     ]
 }
 
