@@ -7,6 +7,7 @@ mod fit_within;
 pub(crate) mod line;
 pub(crate) mod moments;
 pub mod pieces;
+pub(crate) mod planar;
 pub(crate) mod polygon;
 pub(crate) mod polyline;
 pub(crate) mod round;

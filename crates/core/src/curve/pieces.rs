@@ -6,11 +6,11 @@
 mod free;
 mod join;
 mod merge;
-mod noise;
+pub(crate) mod noise;
 mod piece;
 mod refine;
 mod rejoin;
-mod search;
+pub(crate) mod search;
 mod sigma;
 
 pub(crate) use free::Free;

@@ -21,12 +21,12 @@ impl Noise {
     }
 
     /// The description length of a piece, nats.
-    pub(super) fn cost(&self, parameters: usize, squares: f64) -> f64 {
+    pub(crate) fn cost(&self, parameters: usize, squares: f64) -> f64 {
         0.5 * squares / (self.sigma * self.sigma) + 0.5 * parameters as f64 * self.log_count
     }
 
     /// The number of parameters of a piece: its curve and where on it the piece ends.
-    pub(super) fn parameters(&self, kind: Kind) -> usize {
+    pub(crate) fn parameters(&self, kind: Kind) -> usize {
         let curve = match (kind, self.flat) {
             (Kind::Line, false) => 4,
             (Kind::Line, true) => 2,
@@ -41,7 +41,7 @@ impl Noise {
 
 /// Kinds of pieces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     Line,
     Arc,
     /// With this number of control points.
@@ -57,7 +57,7 @@ impl Kind {
 
 /// Points `first..=last` under one description.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Span {
+pub(crate) struct Span {
     /// Its first point.
     pub first: usize,
     /// Its last point, the first of the next span.
