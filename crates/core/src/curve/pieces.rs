@@ -14,6 +14,7 @@ pub(crate) mod search;
 mod sigma;
 
 pub(crate) use free::Free;
+pub(crate) use merge::spline;
 pub(crate) use noise::Noise;
 pub use piece::{Piece, Shape, Sigma};
 pub(crate) use rejoin::rejoin;

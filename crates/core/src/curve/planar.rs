@@ -48,6 +48,13 @@ impl PlaneMoments {
         along(self.reference, self.first, 1.0 / self.weight)
     }
 
+    /// Squared distances across a direction from the line along it through the mean.
+    pub(crate) fn across(&self, direction: [f64; 2]) -> f64 {
+        let [xx, xy, yy] = self.moved(self.mean()).second;
+        let [x, y] = direction;
+        (xx * y * y - 2.0 * xy * x * y + yy * x * x).max(0.0)
+    }
+
     /// The same points relative to another reference.
     fn moved(&self, reference: [f64; 2]) -> Self {
         let d = sub(self.reference, reference);

@@ -17,6 +17,22 @@ impl<T: Copy> Auto<T> {
             Auto::Given(value) => value,
         }
     }
+
+    /// The given value as another.
+    pub fn map(self, other: impl FnOnce(T) -> T) -> Self {
+        match self {
+            Auto::Auto => Auto::Auto,
+            Auto::Given(value) => Auto::Given(other(value)),
+        }
+    }
+
+    /// The given value, if there is one.
+    pub fn given(self) -> Option<T> {
+        match self {
+            Auto::Auto => None,
+            Auto::Given(value) => Some(value),
+        }
+    }
 }
 
 /// How a parameter of this type reads from text, prints and is compared with its range.

@@ -1,15 +1,27 @@
-//! Contours as lines, arcs, circles and splines within a tolerance, corners kept.
+//! Contours as a draughtsman would draw them: lines, arcs, circles and splines end to end.
 //!
-//! Each stretch between corners is cut into lines and arcs (`greedy`); splines follow the rest.
+//! `data` takes the samples of the contour together and finds their error; `breaks` finds the pieces of least description length by dynamic
+//! programming; `touch` makes neighbours tangent unless the data contradict, by `tangent`; `joined` lets the others cross; `bound` sees to
+//! a tolerance that is given.
 
-pub(crate) mod greedy;
+mod bound;
+mod breaks;
+mod data;
+mod joined;
 pub(crate) mod nest;
+mod primitive;
+mod tangent;
+mod touch;
 
+pub(crate) use data::Datum;
+
+use crate::curve::BSpline;
 use crate::curve::circle::Circle;
-use crate::curve::{BSpline, fit_within};
-use crate::math::vec2::{along, distance, meet, onto, sub};
-use crate::section::contour::chain::Vertex;
-use greedy::{ARC_VERTICES, Kind, Stretch, cut, longest, sweep};
+use crate::curve::pieces::Noise;
+use crate::curve::pieces::noise::{Kind, Span};
+use crate::math::vec2::distance;
+use crate::section::contour::chain::{Chain, Vertex};
+use data::Blocks;
 
 /// A piece of a contour in the slicing plane.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,112 +49,124 @@ pub(crate) struct Piece {
     pub worst: f64,
 }
 
-/// The pieces of a contour in order.
-pub(crate) fn fit(vertices: &[Vertex], closed: bool, tolerance: f64) -> Vec<Piece> {
-    let points: Vec<[f64; 2]> = vertices.iter().map(|v| v.at).collect();
-    if points.len() < 2 {
+/// Fewest data that curves are fitted to: with fewer the vertices stand for them.
+const FEWEST: usize = 8;
+/// Description length that a circle may take beyond that of its pieces, nats.
+const ROUND_COST: f64 = 2.0;
+/// Fewest blocks of a circle.
+const ROUND_BLOCKS: usize = 6;
+/// Share of a tolerance that is given which the error of a datum may have.
+const ERROR_SHARE: f64 = 0.5;
+/// Greatest distance of a curve from a vertex where no tolerance is given, spacings and errors.
+const FREE_BOUND: (f64, f64) = (0.7, 4.0);
+/// Times that a ring is begun anew.
+const TURNS: usize = 4;
+/// Share of a turn that the data of a circle must go round.
+const ROUND: f64 = 0.9;
+
+/// The pieces of a contour in order, given the data along it.
+pub(crate) fn fit(chain: &Chain, data: &[Datum], tolerance: Option<f64>) -> Vec<Piece> {
+    let vertices = &chain.vertices;
+    if vertices.len() < 2 {
         return Vec::new();
     }
-    if let Some(piece) = whole_circle(&points, closed, tolerance) {
-        return vec![piece];
+    let spacing = chain.spacing();
+    let arcs = arcs(vertices);
+    let data = if data.len() < FEWEST { of_vertices(vertices, &arcs) } else { data.to_vec() };
+    let blocks = Blocks::new(data, spacing);
+    let own = blocks.error(spacing);
+    let error = tolerance.map_or(own, |t| own.min(ERROR_SHARE * t));
+    let noise = Noise::of_plane(error, blocks.data.len());
+    let corners: Vec<f64> = vertices.iter().zip(&arcs).filter(|(v, _)| v.corner).map(|(_, &a)| a).collect();
+    if std::env::var("SK").is_ok() {
+        eprintln!(
+            "n {} blocks {} spacing {spacing:.3} own {own:.4} corners {}",
+            blocks.data.len(),
+            blocks.sums.len(),
+            corners.len()
+        );
     }
-    let (points, corners) = opened(vertices, &points, closed, tolerance);
-    let mut stretches = Vec::new();
-    for w in corners.windows(2) {
-        cut(&points, w[0], w[1], tolerance, &mut stretches);
-    }
-    pieces(&points, &stretches, closed, tolerance)
-}
-
-fn whole_circle(points: &[[f64; 2]], closed: bool, tolerance: f64) -> Option<Piece> {
-    if !closed || points.len() < ARC_VERTICES {
-        return None;
-    }
-    let round = Circle::fit(points)?;
-    let worst = points.iter().map(|&p| round.off(p)).fold(0.0, f64::max);
-    let shape = Shape::Circle { centre: round.centre, radius: round.radius };
-    // Twice the tolerance: one vertex aside should not break a circle into arcs.
-    let mean = points.iter().map(|&p| round.off(p)).sum::<f64>() / points.len() as f64;
-    let fits = worst <= 2.0 * tolerance && mean <= 0.7 * tolerance && worst < 0.3 * round.radius;
-    let at = round.foot(points[0]);
-    fits.then_some(Piece { shape, from: at, to: at, worst })
-}
-
-/// A contour as an open row of points with the places of its corners, both ends included. A closed one begins, and
-/// ends again, at a corner, or else where a first greedy piece ends.
-fn opened(
-    vertices: &[Vertex],
-    points: &[[f64; 2]],
-    closed: bool,
-    tolerance: f64,
-) -> (Vec<[f64; 2]>, Vec<usize>) {
-    let n = points.len();
-    let start = match (closed, vertices.iter().position(|v| v.corner)) {
-        (false, _) => 0,
-        (true, Some(corner)) => corner,
-        (true, None) => longest(points, 0, n - 1, tolerance).last % n,
+    let clock = std::time::Instant::now();
+    let (blocks, spans) = if chain.closed {
+        ring(blocks, &noise, &corners)
+    } else {
+        let spans = breaks::breaks(&blocks, &noise, &corners);
+        (blocks, spans)
     };
-    let count = if closed { n + 1 } else { n };
-    let turned: Vec<[f64; 2]> = (0..count).map(|k| points[(start + k) % n]).collect();
-    let inner = (1..count - 1).filter(|k| vertices[(start + k) % n].corner);
-    (turned, std::iter::once(0).chain(inner).chain([count - 1]).collect())
-}
-
-fn pieces(points: &[[f64; 2]], stretches: &[Stretch], closed: bool, tolerance: f64) -> Vec<Piece> {
-    let n = stretches.len();
-    let inner = |k: usize| joint(points, &stretches[k], &stretches[(k + 1) % n], tolerance);
-    let mut joints: Vec<[f64; 2]> = Vec::with_capacity(n + 1);
-    let closing = (closed && n > 1).then(|| inner(n - 1));
-    joints.push(closing.unwrap_or(points[0]));
-    (0..n.saturating_sub(1)).for_each(|k| joints.push(inner(k)));
-    joints.push(closing.unwrap_or(points[points.len() - 1]));
-    let piece = |(k, own): (usize, &Stretch)| shape(points, own, joints[k], joints[k + 1], tolerance);
-    stretches.iter().enumerate().map(piece).collect()
-}
-
-/// Where two stretches meet: where their lines cross, if that is near the vertex they share, else between its feet.
-fn joint(points: &[[f64; 2]], a: &Stretch, b: &Stretch, tolerance: f64) -> [f64; 2] {
-    let vertex = points[a.last];
-    if let (Kind::Line(l), Kind::Line(m)) = (a.kind, b.kind) {
-        let crossing = meet(l.at, l.direction, m.at, m.direction).map(|(s, _)| along(l.at, l.direction, s));
-        if let Some(at) = crossing.filter(|&at| distance(at, vertex) <= 3.0 * tolerance) {
-            return at;
+    if std::env::var("SK").is_ok() {
+        eprintln!("breaks {:?}", clock.elapsed());
+        for s in &spans {
+            let n = breaks::data(&blocks, s).len();
+            let q = blocks.sum(s.first, s.last).squares();
+            eprintln!(
+                "  {}..{} {:?} n {n} rms line {:.4} circle {:.4} cost {:.2}",
+                s.first,
+                s.last,
+                s.kind,
+                (q.line / n as f64).sqrt(),
+                (q.circle / n as f64).sqrt(),
+                breaks::cost(&blocks, &noise, s)
+            );
         }
     }
-    let foot = |s: &Stretch| match s.kind {
-        Kind::Line(line) => line.foot(vertex),
-        Kind::Arc(round) => round.foot(vertex),
-        Kind::Free => vertex,
-    };
-    let (p, q) = (foot(a), foot(b));
-    along(p, sub(q, p), 0.5)
-}
-
-fn shape(points: &[[f64; 2]], own: &Stretch, from: [f64; 2], to: [f64; 2], tolerance: f64) -> Piece {
-    let points = &points[own.first..=own.last];
-    let piece = |shape, off: &dyn Fn([f64; 2]) -> f64| Piece {
-        shape,
-        from,
-        to,
-        worst: points.iter().map(|&p| off(p)).fold(0.0, f64::max),
-    };
-    match own.kind {
-        Kind::Line(line) => piece(Shape::Line, &|p| line.off(p)),
-        Kind::Arc(round) => {
-            let round = round.through(from, to);
-            let mut ends = points.to_vec();
-            (ends[0], ends[points.len() - 1]) = (from, to);
-            let shape =
-                Shape::Arc { centre: round.centre, radius: round.radius, sweep: sweep(&round, &ends) };
-            piece(shape, &|p| round.off(p))
-        }
-        Kind::Free => {
-            let mut ends = points.to_vec();
-            (ends[0], ends[points.len() - 1]) = (from, to);
-            match fit_within(&ends, tolerance) {
-                Some((spline, worst)) => Piece { shape: Shape::Free(spline), from, to, worst },
-                None => piece(Shape::Line, &|p| onto(from, to, p).1),
-            }
+    let limit = tolerance.unwrap_or(FREE_BOUND.0 * spacing + FREE_BOUND.1 * error);
+    if chain.closed
+        && let Some(circle) = circle(&blocks, &spans, &noise)
+    {
+        let at = circle.foot(vertices[0].at);
+        let worst = vertices.iter().map(|v| circle.off(v.at)).fold(0.0, f64::max);
+        if worst <= limit {
+            let shape = Shape::Circle { centre: circle.centre, radius: circle.radius };
+            return vec![Piece { shape, from: at, to: at, worst }];
         }
     }
+    let ends = (!chain.closed).then(|| [vertices[0].at, vertices[vertices.len() - 1].at]);
+    let pieces = joined::joined(&blocks, &spans, &noise, spacing, ends);
+    bound::bound(pieces, &blocks, &spans, (vertices, &arcs), limit)
+}
+
+/// The blocks of a ring, begun at a break between two pieces, and the pieces.
+fn ring(mut blocks: Blocks, noise: &Noise, corners: &[f64]) -> (Blocks, Vec<Span>) {
+    let mut spans = breaks::breaks(&blocks, noise, corners);
+    for _ in 0..TURNS {
+        // A row is broken where it happens to begin.
+        if spans.len() < 2 || !breaks::one(&blocks, noise, &spans[spans.len() - 1], &spans[0]) {
+            break;
+        }
+        if std::env::var("SK").is_ok() {
+            eprintln!("turn {:?}", spans);
+        }
+        blocks = blocks.turned(spans[spans.len() / 2].first);
+        spans = breaks::breaks(&blocks, noise, corners);
+    }
+    (blocks, spans)
+}
+
+/// The circle that describes a ring in no more numbers than its pieces.
+fn circle(blocks: &Blocks, spans: &[Span], noise: &Noise) -> Option<Circle> {
+    let points: Vec<[f64; 2]> = blocks.data.iter().map(|d| d.at).collect();
+    let circle = Circle::fit(&points)?;
+    let means: Vec<[f64; 2]> = blocks.sums.iter().map(|s| s.mean()).collect();
+    let turned = primitive::sweep(&circle, &means).abs() / std::f64::consts::TAU;
+    let squares: f64 = blocks.data.iter().map(|d| d.weight * circle.off(d.at).powi(2)).sum();
+    let own = noise.cost(noise.parameters(Kind::Arc), squares);
+    (blocks.sums.len() >= ROUND_BLOCKS
+        && turned > ROUND
+        && own <= joined::cost(blocks, noise, spans) + ROUND_COST)
+        .then_some(circle)
+}
+
+/// The length along the polyline to each vertex.
+fn arcs(vertices: &[Vertex]) -> Vec<f64> {
+    let mut arc = 0.0;
+    let mut arcs = vec![0.0];
+    for w in vertices.windows(2) {
+        arc += distance(w[0].at, w[1].at);
+        arcs.push(arc);
+    }
+    arcs
+}
+
+fn of_vertices(vertices: &[Vertex], arcs: &[f64]) -> Vec<Datum> {
+    vertices.iter().zip(arcs).map(|(v, &arc)| Datum { at: v.at, weight: 1.0, arc }).collect()
 }

@@ -10,19 +10,25 @@ pub(crate) mod regression;
 pub(crate) mod side;
 pub(crate) mod voronoi;
 
+use crate::math::quantile::quantile;
 use crate::math::trees::packed::Packed;
 use crate::math::vec2::distance;
 use crate::params::section::{Outline, Side};
 use crate::params::{Auto, SectionParams};
 use crate::section::contour::assign::assign;
-use crate::section::contour::band::{Band, Growth};
+use crate::section::contour::band::{Band, Growth, Mark};
 use crate::section::contour::bridge::Support;
 use crate::section::contour::chain::Chain;
 use crate::section::contour::tidy::tidy;
 use crate::section::contour::{join, link, node};
+use crate::section::curves::Datum;
 use crate::section::surface::carry::Sample;
 use crate::section::surface::texture::Texture;
 use side::shifted;
+
+/// Distance from an outline, in medians of that of its samples, from which on no curve is fitted to a sample; and the least of it, spacings.
+const FAR: f64 = 6.0;
+const FAR_LEAST: f64 = 0.15;
 
 /// One contour of a slab.
 pub(crate) struct Drawn {
@@ -30,6 +36,8 @@ pub(crate) struct Drawn {
     pub chain: Chain,
     /// Slope of the wall: its movement to the right of the outline with growing height.
     pub growth: Growth,
+    /// The samples along it, for curves to be fitted to; none if that is not wanted, or if the outline is not their middle.
+    pub data: Vec<Datum>,
 }
 
 /// The outlines of a slab's contours, longest first.
@@ -50,7 +58,11 @@ pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Tex
         again(samples, &nodes.owners, &mut free, &mut bands, &mut lines, (join, middle));
     }
     if params.outline == Outline::Middle && params.side == Side::Middle {
-        return drawn(&bands, lines);
+        let mut drawn = drawn(&bands, lines);
+        if params.fit {
+            along(samples, &nodes.owners, &mut drawn);
+        }
+        return drawn;
     }
     free.fill(true);
     let bands = assign(samples, &nodes.owners, &free, lines.into_iter().filter(drawable).collect());
@@ -83,9 +95,30 @@ fn drawable(chain: &Chain) -> bool {
 
 fn drawn(bands: &[Band], chains: Vec<Chain>) -> Vec<Drawn> {
     let both = bands.iter().zip(chains).filter(|(_, chain)| drawable(chain));
-    let mut drawn: Vec<Drawn> = both.map(|(band, chain)| Drawn { growth: band.growth(), chain }).collect();
+    let mut drawn: Vec<Drawn> =
+        both.map(|(band, chain)| Drawn { growth: band.growth(), chain, data: Vec::new() }).collect();
     drawn.sort_by_cached_key(|d| std::cmp::Reverse(d.chain.length().to_bits()));
     drawn
+}
+
+/// Gives outlines the samples along them.
+fn along(samples: &[Sample], owners: &[u32], drawn: &mut [Drawn]) {
+    let free = vec![true; samples.len()];
+    let bands = assign(samples, owners, &free, drawn.iter().map(|d| d.chain.clone()).collect());
+    for (band, drawn) in bands.iter().zip(drawn) {
+        drawn.data = data(band);
+    }
+}
+
+/// The samples of a band but those far off, whose weights are 1 on the average.
+fn data(band: &Band) -> Vec<Datum> {
+    let off = |mark: &Mark| distance(band.at(mark.arc), mark.raw);
+    let mut offs: Vec<f64> = band.marks.iter().map(off).collect();
+    let far = (FAR * quantile(&mut offs, 0.5)).max(FAR_LEAST * band.chain.spacing());
+    let weight = |mark: &Mark| mark.weight / (mark.blur * mark.spacing).powi(2);
+    let kept: Vec<&Mark> = band.marks.iter().filter(|m| off(m) <= far).collect();
+    let mean = kept.iter().map(|m| weight(m)).sum::<f64>() / kept.len().max(1) as f64;
+    kept.into_iter().map(|m| Datum { at: m.raw, weight: weight(m) / mean, arc: m.arc }).collect()
 }
 
 fn outline(band: &Band, params: &SectionParams) -> Chain {

@@ -1,9 +1,12 @@
 //! Sections and their contours.
 
-use super::curves::{self, Piece, Shape, nest};
+use super::contour::chain::Chain;
+use super::curves::{self, Datum, Piece, Shape, nest};
 use super::frame::SliceFrame;
 use super::outline::Drawn;
 use crate::curve::{BSpline, polygon};
+use crate::math::vec2::distance;
+use crate::params::Auto;
 use crate::params::section::Zero;
 
 /// Fewest points of a slab in which a curve is sought.
@@ -154,9 +157,9 @@ impl Missing {
     }
 }
 
-/// Orients, nests and measures outlines, and fits curves within `tolerance`; all still in the slice frame, with a
+/// Orients, nests and measures outlines, and fits curves if there is a `tolerance`, within it if it is given; all still in the slice frame, with a
 /// third coordinate of 0.
-pub(crate) fn contours(drawn: Vec<Drawn>, tolerance: Option<f64>) -> Vec<Contour> {
+pub(crate) fn contours(drawn: Vec<Drawn>, tolerance: Option<Auto<f64>>) -> Vec<Contour> {
     let flat: Vec<(Vec<[f64; 2]>, bool)> = drawn.iter().map(|d| (d.chain.points(), d.chain.closed)).collect();
     let parents = nest::parents(&flat);
     let depth = |mut i: usize| {
@@ -171,17 +174,18 @@ pub(crate) fn contours(drawn: Vec<Drawn>, tolerance: Option<f64>) -> Vec<Contour
     drawn.into_iter().enumerate().map(contour).collect()
 }
 
-fn contour(drawn: Drawn, parent: Option<usize>, depth: usize, tolerance: Option<f64>) -> Contour {
-    let Drawn { mut chain, growth } = drawn;
+fn contour(drawn: Drawn, parent: Option<usize>, depth: usize, tolerance: Option<Auto<f64>>) -> Contour {
+    let Drawn { mut chain, growth, mut data } = drawn;
     let wanted = if depth.is_multiple_of(2) { 1.0 } else { -1.0 };
     let extent = polygon::measure(&chain.points(), chain.closed);
     let (turn, mut area) = (extent.area, extent.area);
     if turn * wanted < 0.0 {
+        reversed(&mut data, &chain);
         chain.vertices.reverse();
         area = -area;
     }
     let flat = chain.points();
-    let pieces = tolerance.map_or(Vec::new(), |t| curves::fit(&chain.vertices, chain.closed, t));
+    let pieces = tolerance.map_or(Vec::new(), |t| curves::fit(&chain, &data, t.given()));
     let corners = chain.vertices.iter().enumerate().filter(|(_, v)| v.corner).map(|(k, _)| k).collect();
     Contour {
         points: flat.iter().map(|&p| lift(p)).collect(),
@@ -199,6 +203,17 @@ fn contour(drawn: Drawn, parent: Option<usize>, depth: usize, tolerance: Option<
         centroid: lift(extent.centroid),
         pieces: pieces.into_iter().map(piece).collect(),
     }
+}
+
+/// The data of a contour that runs the other way.
+fn reversed(data: &mut [Datum], chain: &Chain) {
+    let length = chain.length();
+    let ends = [chain.vertices.first(), chain.vertices.last()].map(|v| v.map_or([0.0; 2], |v| v.at));
+    let last = if chain.closed { length - distance(ends[0], ends[1]) } else { length };
+    let turned = |arc: f64| if arc <= last { last - arc } else { last - arc + length };
+    data.iter_mut().for_each(|d| d.arc = turned(d.arc));
+    data.reverse();
+    data.sort_by(|a, b| a.arc.total_cmp(&b.arc));
 }
 
 fn lift(p: [f64; 2]) -> [f64; 3] {

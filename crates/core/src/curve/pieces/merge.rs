@@ -72,7 +72,7 @@ fn span_cost(points: &[[f64; 3]], weights: &[f64], noise: &Noise, span: &Span) -
 }
 
 /// The spline of least description length, its number of control points, and that length.
-pub(super) fn spline(
+pub(crate) fn spline(
     points: &[[f64; 3]],
     weights: &[f64],
     noise: &Noise,

@@ -20,6 +20,11 @@ impl Noise {
         Self { sigma, share, log_count: (share * count as f64).max(2.0).ln(), flat: false }
     }
 
+    /// Of `count` points of a plane that err independently.
+    pub(crate) fn of_plane(sigma: f64, count: usize) -> Self {
+        Self { sigma, share: 1.0, log_count: (count.max(2) as f64).ln(), flat: true }
+    }
+
     /// The description length of a piece, nats.
     pub(crate) fn cost(&self, parameters: usize, squares: f64) -> f64 {
         0.5 * squares / (self.sigma * self.sigma) + 0.5 * parameters as f64 * self.log_count
@@ -31,7 +36,7 @@ impl Noise {
             (Kind::Line, false) => 4,
             (Kind::Line, true) => 2,
             (Kind::Arc, false) => 7,
-            (Kind::Arc, true) => 4,
+            (Kind::Arc, true) => 3,
             (Kind::Spline(controls), false) => 3 * controls,
             (Kind::Spline(controls), true) => 2 * controls,
         };
@@ -50,7 +55,7 @@ pub(crate) enum Kind {
 
 impl Kind {
     /// Least number of steps from point to point that speak for the kind: three points lie on a circle.
-    pub(super) fn fewest_steps(self) -> usize {
+    pub(crate) fn fewest_steps(self) -> usize {
         if self == Kind::Line { 1 } else { 3 }
     }
 }

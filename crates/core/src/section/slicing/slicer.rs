@@ -150,13 +150,9 @@ impl<'a> Slicer<'a> {
         Section { plane: place.plane, height: place.height, slab: None, points, contours, missing }
     }
 
-    /// Greatest distance of fitted curves from their contours, local frame: as given, or the noise left after smoothing, with
-    /// some tolerance for the curve.
-    fn tolerance(&self) -> f64 {
-        match self.params.tolerance {
-            Auto::Given(tolerance) => tolerance / self.scale,
-            Auto::Auto => (0.1 + 0.6 * self.texture.noise) * self.texture.spacing,
-        }
+    /// Greatest distance of fitted curves from their contours, local frame.
+    fn tolerance(&self) -> Auto<f64> {
+        self.params.tolerance.map(|tolerance| tolerance / self.scale)
     }
 
     /// The number of points in a slab, and the samples of those that can be carried to its plane.
