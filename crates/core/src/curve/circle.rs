@@ -1,6 +1,6 @@
 //! Least-squares circles in the plane.
 
-use crate::math::vec2::{along, distance, dot, left, mean, sub, unit};
+use crate::math::vec2::{along, distance, dot, mean, sub, unit};
 
 /// A circle.
 #[derive(Clone, Copy, Debug)]
@@ -36,17 +36,6 @@ impl Circle {
     /// The point of the circle nearest to `p`.
     pub(crate) fn foot(&self, p: [f64; 2]) -> [f64; 2] {
         along(self.centre, unit(sub(p, self.centre)), self.radius)
-    }
-
-    /// The circle of about the same radius through two points, its centre on the same side of them as before.
-    pub(crate) fn through(&self, a: [f64; 2], b: [f64; 2]) -> Self {
-        let chord = sub(b, a);
-        let half = 0.5 * dot(chord, chord).sqrt();
-        let radius = self.radius.max(half);
-        let middle = along(a, chord, 0.5);
-        let normal = left(unit(chord));
-        let side = if dot(sub(self.centre, middle), normal) >= 0.0 { 1.0 } else { -1.0 };
-        Self { centre: along(middle, normal, side * (radius * radius - half * half).max(0.0).sqrt()), radius }
     }
 }
 

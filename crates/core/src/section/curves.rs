@@ -73,11 +73,11 @@ pub(crate) fn fit(chain: &Chain, data: &[Datum], tolerance: Option<f64>) -> Vec<
     let spacing = chain.spacing();
     let arcs = arcs(vertices);
     let data = if data.len() < FEWEST { of_vertices(vertices, &arcs) } else { data.to_vec() };
-    let blocks = Blocks::new(data, spacing);
+    let corners: Vec<f64> = vertices.iter().zip(&arcs).filter(|(v, _)| v.corner).map(|(_, &a)| a).collect();
+    let blocks = Blocks::new(data, spacing, &corners);
     let own = blocks.error(spacing);
     let error = tolerance.map_or(own, |t| own.min(ERROR_SHARE * t));
     let noise = Noise::of_plane(error, blocks.data.len());
-    let corners: Vec<f64> = vertices.iter().zip(&arcs).filter(|(v, _)| v.corner).map(|(_, &a)| a).collect();
     if std::env::var("SK").is_ok() {
         eprintln!(
             "n {} blocks {} spacing {spacing:.3} own {own:.4} corners {}",
@@ -88,16 +88,16 @@ pub(crate) fn fit(chain: &Chain, data: &[Datum], tolerance: Option<f64>) -> Vec<
     }
     let clock = std::time::Instant::now();
     let (blocks, spans) = if chain.closed {
-        ring(blocks, &noise, &corners)
+        ring(blocks, &noise, spacing, &corners)
     } else {
-        let spans = breaks::breaks(&blocks, &noise, &corners);
+        let spans = breaks::breaks(&blocks, &noise, spacing, &corners);
         (blocks, spans)
     };
     if std::env::var("SK").is_ok() {
         eprintln!("breaks {:?}", clock.elapsed());
         for s in &spans {
-            let n = breaks::data(&blocks, s).len();
-            let q = blocks.sum(s.first, s.last).squares();
+            let n = s.last - s.first;
+            let q = blocks.of(s.first, s.last).squares();
             eprintln!(
                 "  {}..{} {:?} n {n} rms line {:.4} circle {:.4} cost {:.2}",
                 s.first,
@@ -126,18 +126,17 @@ pub(crate) fn fit(chain: &Chain, data: &[Datum], tolerance: Option<f64>) -> Vec<
 }
 
 /// The blocks of a ring, begun at a break between two pieces, and the pieces.
-fn ring(mut blocks: Blocks, noise: &Noise, corners: &[f64]) -> (Blocks, Vec<Span>) {
-    let mut spans = breaks::breaks(&blocks, noise, corners);
-    for _ in 0..TURNS {
-        // A row is broken where it happens to begin.
-        if spans.len() < 2 || !breaks::one(&blocks, noise, &spans[spans.len() - 1], &spans[0]) {
+fn ring(mut blocks: Blocks, noise: &Noise, spacing: f64, corners: &[f64]) -> (Blocks, Vec<Span>) {
+    let mut spans = breaks::breaks(&blocks, noise, spacing, corners);
+    // The first row was broken where it happened to begin.
+    for turn in 0..TURNS {
+        let last = spans.len() - 1;
+        if last == 0 || turn > 0 && !breaks::one(&blocks, noise, &spans[last], &spans[0]) {
             break;
         }
-        if std::env::var("SK").is_ok() {
-            eprintln!("turn {:?}", spans);
-        }
-        blocks = blocks.turned(spans[spans.len() / 2].first);
-        spans = breaks::breaks(&blocks, noise, corners);
+        let start = blocks.starts.partition_point(|&s| s < spans[spans.len() / 2].first);
+        blocks = blocks.turned(start % blocks.sums.len());
+        spans = breaks::breaks(&blocks, noise, spacing, corners);
     }
     (blocks, spans)
 }

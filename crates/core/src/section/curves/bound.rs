@@ -23,7 +23,7 @@ pub(super) fn bound(
     let order = in_order(blocks, arcs);
     let mut span = 0;
     for (place, v) in order {
-        while span + 1 < spans.len() && place >= blocks.starts[spans[span].last] {
+        while span + 1 < spans.len() && place >= spans[span].last {
             span += 1;
         }
         own[span].push(vertices[v].at);

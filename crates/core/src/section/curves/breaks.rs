@@ -3,53 +3,86 @@
 //! `pieces::search` looks at few of the places where long pieces may break; the places about those that it finds are then searched
 //! anew, all of them. Runs of pieces that one spline describes in fewer numbers become that spline, between corners.
 
-use super::data::{Blocks, Datum};
+use super::data::Blocks;
 use crate::curve::BSpline;
 use crate::curve::pieces::noise::{Kind, Noise, Span};
-use crate::curve::pieces::search::{Row, search_row, spans};
+use crate::curve::pieces::search::{search_row, spans};
 use crate::curve::pieces::spline;
 use crate::math::vec2::{sub, unit};
 
-/// Blocks to both sides of a break that are looked at again.
-const BESIDE: usize = 3;
+/// Blocks to both sides of a break whose beginnings are looked at again, and those of which every datum is.
+const BESIDE: [usize; 2] = [4, 2];
 /// Most places that a piece leads over.
-const FARTHEST: usize = 64;
+const FARTHEST: usize = 200;
 /// Fewest and most pieces that a spline stands for.
 const RUN: (usize, usize) = (3, 16);
+/// Fewest data of a line and of an arc, and the least length of each, spacings.
+const LEAST: [(usize, f64); 2] = [(3, 0.8), (6, 1.5)];
 
-/// The pieces of the blocks in order, spans of blocks.
-pub(super) fn breaks(blocks: &Blocks, noise: &Noise, corners: &[f64]) -> Vec<Span> {
-    let found = again(blocks, noise, &search_row(blocks, noise));
+/// The pieces in order, spans of data, each up to the first datum of the next.
+pub(super) fn breaks(blocks: &Blocks, noise: &Noise, spacing: f64, corners: &[f64]) -> Vec<Span> {
+    let mut found = search_row(blocks, noise);
+    found.iter_mut().for_each(|s| (s.first, s.last) = (blocks.starts[s.first], blocks.starts[s.last]));
+    let found = again(blocks, noise, spacing, &found);
     splined(blocks, noise, &found, corners)
 }
 
-/// The best pieces that break at places about those found, or none.
-fn again(blocks: &Blocks, noise: &Noise, found: &[Span]) -> Vec<Span> {
-    let last = blocks.last();
-    let mut places: Vec<usize> = vec![0, last];
+/// The places that are looked at again: the beginnings of blocks about each break, and the data nearest to it.
+fn places(blocks: &Blocks, found: &[Span]) -> Vec<usize> {
+    let mut places: Vec<usize> = vec![0, blocks.data.len()];
+    let starts = &blocks.starts;
     for span in &found[1..] {
-        places.extend(span.first.saturating_sub(BESIDE)..=(span.first + BESIDE).min(last));
+        let block = starts.partition_point(|&s| s < span.first);
+        let [far, near] = BESIDE.map(|b| (block.saturating_sub(b), (block + b).min(starts.len() - 1)));
+        places.extend(&starts[far.0..=far.1]);
+        places.extend(starts[near.0]..=starts[near.1]);
     }
     places.sort_unstable();
     places.dedup();
-    let between: Vec<_> = places.windows(2).map(|w| blocks.sum(w[0], w[1])).collect();
+    places
+}
+
+/// The best pieces that break at places about those found, or none.
+fn again(blocks: &Blocks, noise: &Noise, spacing: f64, found: &[Span]) -> Vec<Span> {
+    let places = places(blocks, found);
+    let between: Vec<_> = places.windows(2).map(|w| blocks.of(w[0], w[1])).collect();
+    let length = |first: usize, last: usize| {
+        let (a, b) = (&blocks.data[first], &blocks.data[last - 1]);
+        // Over the seam of a ring the arcs begin anew.
+        if b.arc >= a.arc { b.arc - a.arc } else { f64::INFINITY }
+    };
     let mut best = vec![(f64::INFINITY, 0, Kind::Line); places.len()];
     best[0].0 = 0.0;
     for a in 0..places.len() - 1 {
         let (before, mut sum) = (best[a].0, between[a]);
+        if !before.is_finite() {
+            continue;
+        }
         for b in a + 1..places.len().min(a + FARTHEST) {
             if b > a + 1 {
                 sum.add(&between[b - 1]);
             }
+            let (count, length) = (places[b] - places[a], length(places[a], places[b]));
+            let enough = LEAST.map(|(fewest, least)| count >= fewest && length >= least * spacing);
+            let whole = a == 0 && b + 1 == places.len();
+            if !enough[0] && !whole {
+                continue;
+            }
             let squares = sum.squares();
-            for (kind, squares) in [(Kind::Line, squares.line), (Kind::Arc, squares.circle)] {
-                let enough = places[b] - places[a] >= kind.fewest_steps();
+            let mut take = |kind, squares| {
                 let cost = before + noise.cost(noise.parameters(kind), squares);
-                if enough && cost < best[b].0 {
+                if cost < best[b].0 {
                     best[b] = (cost, a, kind);
                 }
+            };
+            take(Kind::Line, squares.line);
+            if enough[1] {
+                take(Kind::Arc, squares.circle);
             }
         }
+    }
+    if !best[places.len() - 1].0.is_finite() {
+        return found.to_vec();
     }
     let place = |s: Span| Span { first: places[s.first], last: places[s.last], ..s };
     spans(&best).into_iter().map(place).collect()
@@ -57,27 +90,21 @@ fn again(blocks: &Blocks, noise: &Noise, found: &[Span]) -> Vec<Span> {
 
 /// The description length of a span.
 pub(super) fn cost(blocks: &Blocks, noise: &Noise, span: &Span) -> f64 {
-    let squares = blocks.sum(span.first, span.last).squares();
+    let squares = blocks.of(span.first, span.last).squares();
     match span.kind {
         Kind::Line => noise.cost(noise.parameters(span.kind), squares.line),
         Kind::Arc => noise.cost(noise.parameters(span.kind), squares.circle),
-        Kind::Spline(_) => free(blocks, noise, span.first, span.last, false).2,
+        Kind::Spline(_) => free(blocks, noise, span.first, span.last).2,
     }
 }
 
-/// The best spline over some blocks, its number of control points, and its description length.
-pub(super) fn free(
-    blocks: &Blocks,
-    noise: &Noise,
-    first: usize,
-    last: usize,
-    closed: bool,
-) -> (BSpline, usize, f64) {
-    let sums = &blocks.sums[first..last];
+/// The best spline over some data, its number of control points, and its description length.
+pub(super) fn free(blocks: &Blocks, noise: &Noise, first: usize, last: usize) -> (BSpline, usize, f64) {
+    let sums = blocks.within(first, last);
     let means: Vec<[f64; 2]> = sums.iter().map(|s| s.mean()).collect();
     let lifted: Vec<[f64; 3]> = means.iter().map(|&[x, y]| [x, y, 0.0]).collect();
     let weights: Vec<f64> = sums.iter().map(|s| s.weight).collect();
-    let (curve, controls, cost) = spline(&lifted, &weights, noise, closed);
+    let (curve, controls, cost) = spline(&lifted, &weights, noise, false);
     // The spread of the data about the mean of their block, across the way.
     let way = |k: usize| unit(sub(means[(k + 1).min(means.len() - 1)], means[k.saturating_sub(1)]));
     let spread: f64 = sums.iter().enumerate().map(|(k, sum)| sum.across(way(k))).sum();
@@ -104,7 +131,7 @@ fn splined(blocks: &Blocks, noise: &Noise, found: &[Span], corners: &[f64]) -> V
                 1 => (own[a], found[a].kind),
                 k if k < RUN.0 => continue,
                 _ => {
-                    let (_, controls, cost) = free(blocks, noise, found[a].first, found[b - 1].last, false);
+                    let (_, controls, cost) = free(blocks, noise, found[a].first, found[b - 1].last);
                     (cost, Kind::Spline(controls))
                 }
             };
@@ -119,23 +146,20 @@ fn splined(blocks: &Blocks, noise: &Noise, found: &[Span], corners: &[f64]) -> V
 
 /// Whether the last span of a ring and the first one are better described as one.
 pub(super) fn one(blocks: &Blocks, noise: &Noise, last: &Span, first: &Span) -> bool {
-    let mut sum = blocks.sum(last.first, last.last);
-    sum.add(&blocks.sum(first.first, first.last));
+    let mut sum = blocks.of(last.first, last.last);
+    sum.add(&blocks.of(first.first, first.last));
     let squares = sum.squares();
     let line = noise.cost(noise.parameters(Kind::Line), squares.line);
     let arc = noise.cost(noise.parameters(Kind::Arc), squares.circle);
     line.min(arc) < cost(blocks, noise, last) + cost(blocks, noise, first)
 }
 
-/// Whether a corner of the outline lies at the beginning of a block.
-fn near_corner(blocks: &Blocks, block: usize, corners: &[f64]) -> bool {
-    let arc = |k: usize| blocks.data[blocks.starts[k.min(blocks.sums.len() - 1)]].arc;
-    let (from, to) = (arc(block.saturating_sub(BESIDE)), arc(block + BESIDE));
+/// Whether a corner of the outline lies within a few blocks of a datum.
+fn near_corner(blocks: &Blocks, datum: usize, corners: &[f64]) -> bool {
+    let starts = &blocks.starts;
+    let block = starts.partition_point(|&s| s < datum);
+    let arc = |k: usize| blocks.data[starts[k].min(blocks.data.len() - 1)].arc;
+    let (from, to) = (arc(block.saturating_sub(BESIDE[0])), arc((block + BESIDE[0]).min(starts.len() - 1)));
     // Over the seam of a ring the arcs begin anew.
     corners.iter().any(|&c| if from <= to { (from..=to).contains(&c) } else { c >= from || c <= to })
-}
-
-/// The data of a span.
-pub(super) fn data<'a>(blocks: &'a Blocks, span: &Span) -> &'a [Datum] {
-    blocks.of(span.first, span.last)
 }

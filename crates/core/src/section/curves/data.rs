@@ -37,12 +37,16 @@ pub(super) struct Blocks {
 }
 
 impl Blocks {
-    /// Of data in order along the outline.
-    pub(super) fn new(data: Vec<Datum>, spacing: f64) -> Self {
+    /// Of data in order along the outline, whose corners lie at ascending arcs.
+    pub(super) fn new(data: Vec<Datum>, spacing: f64, corners: &[f64]) -> Self {
         let mut starts: Vec<usize> = Vec::new();
-        let mut end = f64::NEG_INFINITY;
+        let (mut end, mut corners) = (f64::NEG_INFINITY, corners.iter().peekable());
         for (k, datum) in data.iter().enumerate() {
-            if datum.arc >= end {
+            let mut corner = false;
+            while corners.next_if(|&&c| c <= datum.arc).is_some() {
+                corner = true;
+            }
+            if corner || datum.arc >= end {
                 starts.push(k);
                 end = datum.arc + BLOCK * spacing;
             }
@@ -80,9 +84,18 @@ impl Blocks {
         sum
     }
 
-    /// The data of some blocks.
-    pub(super) fn of(&self, first: usize, last: usize) -> &[Datum] {
-        &self.data[self.starts[first]..self.starts[last]]
+    /// The sums over the data `first..last`.
+    pub(super) fn of(&self, first: usize, last: usize) -> PlaneMoments {
+        let mut sum = PlaneMoments::at(self.data[first].at);
+        self.data[first..last].iter().for_each(|d| sum.push(d.at, d.weight));
+        sum
+    }
+
+    /// The sums over the blocks within the data `first..last`, those at the ends in part.
+    pub(super) fn within(&self, first: usize, last: usize) -> Vec<PlaneMoments> {
+        let inner = self.starts.iter().copied().filter(|s| (first + 1..last).contains(s));
+        let starts: Vec<usize> = std::iter::once(first).chain(inner).chain([last]).collect();
+        starts.windows(2).map(|w| self.of(w[0], w[1])).collect()
     }
 
     /// The standard deviation of a datum of weight 1 from lines and arcs over a few spacings.

@@ -26,15 +26,11 @@ pub(super) fn joined(
     spacing: f64,
     ends: Option<[[f64; 2]; 2]>,
 ) -> Vec<Piece> {
-    let ranges = assigned(blocks, spans);
-    let curves: Vec<Fitted> = spans
-        .iter()
-        .zip(&ranges)
-        .map(|(span, range)| {
-            let data = &blocks.data[range[0]..range[1]];
-            Fitted { curve: primitive(span.kind, data), data }
-        })
-        .collect();
+    let fitted = |span: &Span| {
+        let data = &blocks.data[span.first..span.last];
+        Fitted { curve: primitive(span.kind, data), data }
+    };
+    let curves: Vec<Fitted> = spans.iter().map(fitted).collect();
     let n = spans.len();
     let closed = ends.is_none();
     let count = if closed { n } else { n - 1 };
@@ -65,50 +61,6 @@ fn primitive(kind: Kind, data: &[Datum]) -> Primitive {
         Kind::Arc => Primitive::arc(data),
         Kind::Spline(_) => Primitive::Free,
     }
-}
-
-/// The first datum of each span and the one after its last: breaks between blocks moved to where the data go better with the
-/// other side.
-fn assigned(blocks: &Blocks, spans: &[Span]) -> Vec<[usize; 2]> {
-    let mut ranges: Vec<[usize; 2]> =
-        spans.iter().map(|s| [blocks.starts[s.first], blocks.starts[s.last]]).collect();
-    for k in 1..spans.len() {
-        let (a, b) = (&spans[k - 1], &spans[k]);
-        let inner = |s: &Span, first: bool| {
-            // Without the block at the break, where others are left.
-            let (from, to) = if s.last - s.first < 4 {
-                (s.first, s.last)
-            } else {
-                (s.first + usize::from(first), s.last - usize::from(!first))
-            };
-            primitive(s.kind, blocks.of(from, to))
-        };
-        let (before, after) = (inner(a, false), inner(b, true));
-        if matches!(before, Primitive::Free) || matches!(after, Primitive::Free) {
-            continue;
-        }
-        let low = blocks.starts[(a.last - 1).max(a.first + 1).min(a.last)].max(ranges[k - 1][0] + 2);
-        let high = blocks.starts[(b.first + 1).min(b.last)].min(ranges[k][1].saturating_sub(2));
-        let (mut best, mut sum) = ((0.0, ranges[k][0]), 0.0);
-        if low >= high || !(low..=high).contains(&ranges[k][0]) {
-            continue;
-        }
-        // The sum of the squares of a break relative to the first place.
-        let mut sums = vec![0.0];
-        for d in &blocks.data[low..high] {
-            sum += d.weight * (before.off(d.at).powi(2) - after.off(d.at).powi(2));
-            sums.push(sum);
-        }
-        best.0 = sums[ranges[k][0] - low];
-        for (i, &s) in sums.iter().enumerate() {
-            if s < best.0 {
-                best = (s, low + i);
-            }
-        }
-        ranges[k - 1][1] = best.1;
-        ranges[k][0] = best.1;
-    }
-    ranges
 }
 
 /// Where the pieces of a joint meet.
@@ -193,11 +145,9 @@ fn arc(circle: &Circle, left: bool, data: &[Datum], [from, to]: [[f64; 2]; 2]) -
 /// The spline of a span between two points; a line where that would be as good.
 fn spline(blocks: &Blocks, span: &Span, noise: &Noise, [from, to]: [[f64; 2]; 2]) -> Shape {
     let lift = |[x, y]: [f64; 2]| [x, y, 0.0];
-    let inner = blocks.sums[span.first..span.last].iter();
     let mut points = vec![lift(from)];
     let mut weights = vec![1.0];
-    for sum in inner {
-        // Blocks at the ends may lie beyond them.
+    for sum in blocks.within(span.first, span.last) {
         points.push(lift(sum.mean()));
         weights.push(sum.weight);
     }
