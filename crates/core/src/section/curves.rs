@@ -77,38 +77,45 @@ pub(crate) fn fit(chain: &Chain, data: &[Datum], tolerance: Option<f64>) -> Vec<
     let blocks = Blocks::new(data, spacing, &corners);
     let own = blocks.error(spacing);
     let error = tolerance.map_or(own, |t| own.min(ERROR_SHARE * t));
-    let noise = Noise::of_plane(error, blocks.data.len());
+    let pen: f64 = std::env::var("PEN").ok().and_then(|p| p.parse().ok()).unwrap_or(1.0);
+    let of = |error: f64| {
+        let mut n = Noise::of_plane(error, blocks.data.len());
+        n.log_count *= pen;
+        n
+    };
+    let (count, closed) = (blocks.data.len(), chain.closed);
+    let mut noise = of(error);
+    let (mut blocks, mut spans) = searched(blocks, closed, &noise, spacing, &corners);
+    let again = breaks::error(&blocks, &spans);
+    if again > own && tolerance.is_none_or(|t| error < ERROR_SHARE * t) {
+        let error = tolerance.map_or(again, |t| again.min(ERROR_SHARE * t));
+        noise = Noise { sigma: error, ..noise };
+        (blocks, spans) = searched(blocks, closed, &noise, spacing, &corners);
+    }
+    let _ = count;
     if std::env::var("SK").is_ok() {
         eprintln!(
-            "n {} blocks {} spacing {spacing:.3} own {own:.4} corners {}",
+            "n {} blocks {} spacing {spacing:.3} own {own:.4} again {again:.4} corners {}",
             blocks.data.len(),
             blocks.sums.len(),
             corners.len()
         );
-    }
-    let clock = std::time::Instant::now();
-    let (blocks, spans) = if chain.closed {
-        ring(blocks, &noise, spacing, &corners)
-    } else {
-        let spans = breaks::breaks(&blocks, &noise, spacing, &corners);
-        (blocks, spans)
-    };
-    if std::env::var("SK").is_ok() {
-        eprintln!("breaks {:?}", clock.elapsed());
         for s in &spans {
             let n = s.last - s.first;
             let q = blocks.of(s.first, s.last).squares();
             eprintln!(
-                "  {}..{} {:?} n {n} rms line {:.4} circle {:.4} cost {:.2}",
+                "  {}..{} {:?} n {n} rms line {:.4} circle {:.4} cost {:.2}  {:.2?}",
                 s.first,
                 s.last,
                 s.kind,
                 (q.line / n as f64).sqrt(),
                 (q.circle / n as f64).sqrt(),
-                breaks::cost(&blocks, &noise, s)
+                breaks::cost(&blocks, &noise, s),
+                blocks.data[s.first].at
             );
         }
     }
+    let error = noise.sigma;
     let limit = tolerance.unwrap_or(FREE_BOUND.0 * spacing + FREE_BOUND.1 * error);
     if chain.closed
         && let Some(circle) = circle(&blocks, &spans, &noise)
@@ -123,6 +130,21 @@ pub(crate) fn fit(chain: &Chain, data: &[Datum], tolerance: Option<f64>) -> Vec<
     let ends = (!chain.closed).then(|| [vertices[0].at, vertices[vertices.len() - 1].at]);
     let pieces = joined::joined(&blocks, &spans, &noise, spacing, ends);
     bound::bound(pieces, &blocks, &spans, (vertices, &arcs), limit)
+}
+
+/// The pieces of the blocks, those of a ring begun anew.
+fn searched(
+    blocks: Blocks,
+    closed: bool,
+    noise: &Noise,
+    spacing: f64,
+    corners: &[f64],
+) -> (Blocks, Vec<Span>) {
+    if closed {
+        return ring(blocks, noise, spacing, corners);
+    }
+    let spans = breaks::breaks(&blocks, noise, spacing, corners);
+    (blocks, spans)
 }
 
 /// The blocks of a ring, begun at a break between two pieces, and the pieces.

@@ -144,6 +144,22 @@ fn splined(blocks: &Blocks, noise: &Noise, found: &[Span], corners: &[f64]) -> V
     spans(&best).into_iter().map(place).collect()
 }
 
+/// The standard deviation of a datum of weight 1 from the pieces.
+pub(super) fn error(blocks: &Blocks, found: &[Span]) -> f64 {
+    let (mut sum, mut freedom) = (0.0, 0.0);
+    for span in found {
+        let squares = blocks.of(span.first, span.last).squares();
+        let (squares, parameters) = match span.kind {
+            Kind::Line => (squares.line, 2.0),
+            Kind::Arc => (squares.circle, 3.0),
+            Kind::Spline(_) => continue,
+        };
+        sum += squares;
+        freedom += ((span.last - span.first) as f64 - parameters).max(0.0);
+    }
+    if freedom > 0.0 { (sum / freedom).sqrt() } else { 0.0 }
+}
+
 /// Whether the last span of a ring and the first one are better described as one.
 pub(super) fn one(blocks: &Blocks, noise: &Noise, last: &Span, first: &Span) -> bool {
     let mut sum = blocks.of(last.first, last.last);
