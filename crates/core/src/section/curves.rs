@@ -77,46 +77,15 @@ pub(crate) fn fit(chain: &Chain, data: &[Datum], tolerance: Option<f64>) -> Vec<
     let blocks = Blocks::new(data, spacing, &corners);
     let own = blocks.error(spacing);
     let error = tolerance.map_or(own, |t| own.min(ERROR_SHARE * t));
-    let pen: f64 = std::env::var("PEN").ok().and_then(|p| p.parse().ok()).unwrap_or(1.0);
-    let of = |error: f64| {
-        let mut n = Noise::of_plane(error, blocks.data.len());
-        n.log_count *= pen;
-        n
-    };
-    let (count, closed) = (blocks.data.len(), chain.closed);
-    let mut noise = of(error);
-    let (mut blocks, mut spans) = searched(blocks, closed, &noise, spacing, &corners);
-    let again = breaks::error(&blocks, &spans);
-    if again > own && tolerance.is_none_or(|t| error < ERROR_SHARE * t) {
-        let error = tolerance.map_or(again, |t| again.min(ERROR_SHARE * t));
-        noise = Noise { sigma: error, ..noise };
-        (blocks, spans) = searched(blocks, closed, &noise, spacing, &corners);
+    let mut noise = Noise::of_plane(error, blocks.data.len());
+    let (mut blocks, mut spans) = searched(blocks, chain.closed, &noise, spacing, &corners);
+    let found = breaks::error(&blocks, &spans);
+    let found = tolerance.map_or(found, |t| found.min(ERROR_SHARE * t));
+    if found > error {
+        noise = Noise { sigma: found, ..noise };
+        (blocks, spans) = searched(blocks, chain.closed, &noise, spacing, &corners);
     }
-    let _ = count;
-    if std::env::var("SK").is_ok() {
-        eprintln!(
-            "n {} blocks {} spacing {spacing:.3} own {own:.4} again {again:.4} corners {}",
-            blocks.data.len(),
-            blocks.sums.len(),
-            corners.len()
-        );
-        for s in &spans {
-            let n = s.last - s.first;
-            let q = blocks.of(s.first, s.last).squares();
-            eprintln!(
-                "  {}..{} {:?} n {n} rms line {:.4} circle {:.4} cost {:.2}  {:.2?}",
-                s.first,
-                s.last,
-                s.kind,
-                (q.line / n as f64).sqrt(),
-                (q.circle / n as f64).sqrt(),
-                breaks::cost(&blocks, &noise, s),
-                blocks.data[s.first].at
-            );
-        }
-    }
-    let error = noise.sigma;
-    let limit = tolerance.unwrap_or(FREE_BOUND.0 * spacing + FREE_BOUND.1 * error);
+    let limit = tolerance.unwrap_or(FREE_BOUND.0 * spacing + FREE_BOUND.1 * noise.sigma);
     if chain.closed
         && let Some(circle) = circle(&blocks, &spans, &noise)
     {

@@ -5,6 +5,7 @@ pub(crate) mod corner;
 pub(crate) mod hull;
 pub(crate) mod knots;
 pub(crate) mod middle;
+mod reach;
 pub(crate) mod regions;
 pub(crate) mod regression;
 pub(crate) mod side;
@@ -57,6 +58,7 @@ pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Tex
             |open: Vec<Chain>, lines: &[Chain]| join::joined(open, lines, &support, params.stray_spacings);
         again(samples, &nodes.owners, &mut free, &mut bands, &mut lines, (join, middle));
     }
+    reach::carried_on(samples, &tree, &bands, &mut lines, texture.noise);
     if params.outline == Outline::Middle && params.side == Side::Middle {
         let mut drawn = drawn(&bands, lines);
         if params.fit {

@@ -13,6 +13,8 @@ use crate::math::vec2::{along, cross, distance, dot, sub, unit};
 
 /// Farthest from where the data break that two curves may cross, spacings.
 const REACH: f64 = 4.0;
+/// Length at an end of a contour, spacings, whose data tell where it is.
+const END: f64 = 3.0;
 /// Difference of the angle an arc sweeps and that of its data, radians, from which on it goes the other way.
 const OTHER_WAY: f64 = 1.5;
 /// Weight of an arc's own radius, against one datum, where its ends are given.
@@ -44,15 +46,27 @@ pub(super) fn joined(
     let curves = touching(&curves, &mut joints, noise);
     let places: Vec<[f64; 2]> = joints.iter().map(|j| place(&curves, j, spacing)).collect();
     let from = |k: usize| match (k, ends) {
-        (0, Some([first, _])) => curves[0].curve.foot(first),
+        (0, Some([first, _])) => end(&curves[0], first, -1.0, spacing),
         (0, None) => places[count - 1],
         _ => places[k - 1],
     };
     let to = |k: usize| match ends {
-        Some([_, last]) if k + 1 == n => curves[k].curve.foot(last),
+        Some([_, last]) if k + 1 == n => end(&curves[k], last, 1.0, spacing),
         _ => places[k],
     };
     (0..n).map(|k| piece(blocks, &spans[k], &curves[k], noise, [from(k), to(k)])).collect()
+}
+
+/// The end of an open contour near its last vertex: on the curve, as far as the data lead. `side` is 1 at its end and -1 at its beginning.
+fn end(fitted: &Fitted, vertex: [f64; 2], side: f64, spacing: f64) -> [f64; 2] {
+    let foot = fitted.curve.foot(vertex);
+    let way = fitted.curve.way(foot);
+    let ahead = |d: &Datum| side * dot(sub(d.at, foot), way);
+    let near: Vec<f64> = fitted.data.iter().map(ahead).filter(|a| a.abs() <= END * spacing).collect();
+    let Some(most) = near.iter().copied().max_by(f64::total_cmp) else { return foot };
+    // Evenly strewn data end half a gap, or on the average a whole one, before what they lie on.
+    let gap = ((most + END * spacing) / near.len() as f64).min(0.5 * spacing);
+    fitted.curve.foot(along(foot, way, side * (most + gap)))
 }
 
 fn primitive(kind: Kind, data: &[Datum]) -> Primitive {
