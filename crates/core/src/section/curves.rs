@@ -22,6 +22,8 @@ use crate::curve::pieces::noise::{Kind, Span};
 use crate::math::vec2::distance;
 use crate::section::contour::chain::{Chain, Vertex};
 use data::Blocks;
+use primitive::Primitive;
+use tangent::{Fitted, settled};
 
 /// A piece of a contour in the slicing plane.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,6 +98,9 @@ pub(crate) fn fit(chain: &Chain, data: &[Datum], tolerance: Option<f64>) -> Vec<
             return vec![Piece { shape, from: at, to: at, worst }];
         }
     }
+    if let ([Span { kind: Kind::Arc | Kind::Line, .. }], true) = (&spans[..], chain.closed) {
+        return bound::ring(vertices, limit);
+    }
     let ends = (!chain.closed).then(|| [vertices[0].at, vertices[vertices.len() - 1].at]);
     let pieces = joined::joined(&blocks, &spans, &noise, spacing, ends);
     bound::bound(pieces, &blocks, &spans, (vertices, &arcs), limit)
@@ -135,15 +140,14 @@ fn ring(mut blocks: Blocks, noise: &Noise, spacing: f64, corners: &[f64]) -> (Bl
 /// The circle that describes a ring in no more numbers than its pieces.
 fn circle(blocks: &Blocks, spans: &[Span], noise: &Noise) -> Option<Circle> {
     let points: Vec<[f64; 2]> = blocks.data.iter().map(|d| d.at).collect();
-    let circle = Circle::fit(&points)?;
+    let curve = Primitive::Arc { circle: Circle::fit(&points)?, left: true };
+    let fitted = settled(Fitted { curve, data: &blocks.data }, noise.sigma);
+    let Primitive::Arc { circle, .. } = fitted.curve else { return None };
     let means: Vec<[f64; 2]> = blocks.sums.iter().map(|s| s.mean()).collect();
     let turned = primitive::sweep(&circle, &means).abs() / std::f64::consts::TAU;
-    let squares: f64 = blocks.data.iter().map(|d| d.weight * circle.off(d.at).powi(2)).sum();
-    let own = noise.cost(noise.parameters(Kind::Arc), squares);
-    (blocks.sums.len() >= ROUND_BLOCKS
-        && turned > ROUND
-        && own <= joined::cost(blocks, noise, spans) + ROUND_COST)
-        .then_some(circle)
+    let own = noise.cost(noise.parameters(Kind::Arc), fitted.squares());
+    let pieces = breaks::costs(blocks, noise, spans) + ROUND_COST;
+    (blocks.sums.len() >= ROUND_BLOCKS && turned > ROUND && own <= pieces).then_some(circle)
 }
 
 /// The length along the polyline to each vertex.
@@ -160,3 +164,6 @@ fn arcs(vertices: &[Vertex]) -> Vec<f64> {
 fn of_vertices(vertices: &[Vertex], arcs: &[f64]) -> Vec<Datum> {
     vertices.iter().zip(arcs).map(|(v, &arc)| Datum { at: v.at, weight: 1.0, arc }).collect()
 }
+
+#[cfg(test)]
+mod tests;

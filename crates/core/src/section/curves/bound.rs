@@ -40,6 +40,18 @@ pub(super) fn bound(
     pieces.into_iter().zip(own).zip(worst).map(bounded).collect()
 }
 
+/// A ring that is no circle and has no break as one spline through its vertices.
+pub(super) fn ring(vertices: &[Vertex], limit: f64) -> Vec<Piece> {
+    let row: Vec<[f64; 2]> = vertices.iter().chain(&vertices[..1]).map(|v| v.at).collect();
+    let [from, to] = [row[0], row[row.len() - 1]];
+    match fit_within(&row, limit) {
+        Some((spline, worst)) => vec![Piece { shape: Shape::Free(spline), from, to, worst }],
+        None => {
+            row.windows(2).map(|w| Piece { shape: Shape::Line, from: w[0], to: w[1], worst: 0.0 }).collect()
+        }
+    }
+}
+
 /// Each vertex with the first datum after it, in the order of the data, which may begin anywhere on a ring.
 fn in_order(blocks: &Blocks, arcs: &[f64]) -> Vec<(usize, usize)> {
     let n = blocks.data.len();

@@ -89,7 +89,7 @@ fn again(blocks: &Blocks, noise: &Noise, spacing: f64, found: &[Span]) -> Vec<Sp
 }
 
 /// The description length of a span.
-pub(super) fn cost(blocks: &Blocks, noise: &Noise, span: &Span) -> f64 {
+fn cost(blocks: &Blocks, noise: &Noise, span: &Span) -> f64 {
     let squares = blocks.of(span.first, span.last).squares();
     match span.kind {
         Kind::Line => noise.cost(noise.parameters(span.kind), squares.line),
@@ -98,8 +98,13 @@ pub(super) fn cost(blocks: &Blocks, noise: &Noise, span: &Span) -> f64 {
     }
 }
 
+/// The description length of all spans.
+pub(super) fn costs(blocks: &Blocks, noise: &Noise, spans: &[Span]) -> f64 {
+    spans.iter().map(|s| cost(blocks, noise, s)).sum()
+}
+
 /// The best spline over some data, its number of control points, and its description length.
-pub(super) fn free(blocks: &Blocks, noise: &Noise, first: usize, last: usize) -> (BSpline, usize, f64) {
+fn free(blocks: &Blocks, noise: &Noise, first: usize, last: usize) -> (BSpline, usize, f64) {
     let sums = blocks.within(first, last);
     let means: Vec<[f64; 2]> = sums.iter().map(|s| s.mean()).collect();
     let lifted: Vec<[f64; 3]> = means.iter().map(|&[x, y]| [x, y, 0.0]).collect();

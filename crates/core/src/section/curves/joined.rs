@@ -1,9 +1,8 @@
 //! Pieces that meet: where they touch, where they cross, or else half way between them.
 
-use super::breaks;
 use super::data::{Blocks, Datum};
 use super::primitive::{Primitive, sweep};
-use super::tangent::Fitted;
+use super::tangent::{Fitted, settled};
 use super::touch::{Joint, mark, touching};
 use super::{Piece, Shape};
 use crate::curve::circle::Circle;
@@ -30,7 +29,7 @@ pub(super) fn joined(
 ) -> Vec<Piece> {
     let fitted = |span: &Span| {
         let data = &blocks.data[span.first..span.last];
-        Fitted { curve: primitive(span.kind, data), data }
+        settled(Fitted { curve: primitive(span.kind, data), data }, noise.sigma)
     };
     let curves: Vec<Fitted> = spans.iter().map(fitted).collect();
     let n = spans.len();
@@ -172,9 +171,4 @@ fn spline(blocks: &Blocks, span: &Span, noise: &Noise, [from, to]: [[f64; 2]; 2]
     }
     let (curve, ..) = crate::curve::pieces::spline(&points, &weights, noise, false);
     if curve.degree < 3 { Shape::Line } else { Shape::Free(curve.mapped(|[x, y, _]| [x, y], 1.0)) }
-}
-
-/// The description length of all spans.
-pub(super) fn cost(blocks: &Blocks, noise: &Noise, spans: &[Span]) -> f64 {
-    spans.iter().map(|s| breaks::cost(blocks, noise, s)).sum()
 }

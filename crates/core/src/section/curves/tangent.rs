@@ -151,6 +151,11 @@ pub(super) fn solve<'a>(
     None
 }
 
+/// A curve of least weighted squares near another; that one where none is found.
+pub(super) fn settled<'a>(fitted: Fitted<'a>, error: f64) -> Fitted<'a> {
+    solve(&[fitted], &[], error).map_or(fitted, |found| found[0])
+}
+
 /// Adds the normal equations of one curve's data.
 fn normal_equations(f: &Fitted, first: usize, error: f64, matrix: &mut [Vec<f64>], right: &mut [f64]) {
     let count = f.unknowns();
