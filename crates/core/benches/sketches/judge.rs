@@ -14,6 +14,8 @@ pub struct Verdict {
     pub kinds: String,
     /// Distances of the parameters from the true ones, spacings; none unless exact.
     pub offs: Vec<f64>,
+    /// Distances of open ends, spacings; none unless exact.
+    pub ends: Vec<f64>,
 }
 
 /// Least sweep of an arc whose centre and radius are compared, degrees.
@@ -25,22 +27,30 @@ pub fn judge(part: &Part, sections: &Sections, (c, s): (f64, f64)) -> Verdict {
     let kinds: Vec<String> = contours.iter().map(kinds).collect();
     let kinds = kinds.join(" ");
     if part.aslant {
-        return Verdict { exact: kinds == "e" || kinds == "s", kinds, offs: Vec::new() };
+        return Verdict { exact: kinds == "e" || kinds == "s", kinds, offs: Vec::new(), ends: Vec::new() };
     }
     let back = |p: [f64; 3]| [c * p[0] + s * p[1], c * p[1] - s * p[0]];
-    let mut offs = Vec::new();
+    let (mut offs, mut open) = (Vec::new(), Vec::new());
     let mut exact = contours.len() == part.outlines.len();
     for outline in &part.outlines {
         // The contour that has the outline's edges at the least distances.
-        let own = contours.iter().filter_map(|contour| matched(outline, contour, &back));
-        match own.min_by(|a, b| sum(a).total_cmp(&sum(b))) {
-            Some(own) => offs.extend(own.into_iter().map(|o| o / sections.spacing)),
+        let own = contours.iter().filter_map(|contour| Some((matched(outline, contour, &back)?, contour)));
+        match own.min_by(|a, b| sum(&a.0).total_cmp(&sum(&b.0))) {
+            Some((own, contour)) => {
+                offs.extend(own.into_iter().map(|o| o / sections.spacing));
+                if !contour.closed {
+                    open.extend(ends(outline, contour, &back).into_iter().map(|o| o / sections.spacing));
+                }
+            }
             None => exact = false,
         }
     }
     // Beyond two spacings these are not the same edges.
     exact &= offs.iter().all(|&o| o < 2.0);
-    Verdict { exact, kinds, offs: if exact { offs } else { Vec::new() } }
+    if !exact {
+        (offs, open) = (Vec::new(), Vec::new());
+    }
+    Verdict { exact, kinds, offs, ends: open }
 }
 
 fn sum(offs: &[f64]) -> f64 {
@@ -66,9 +76,6 @@ fn matched(outline: &Outline, contour: &Contour, back: &dyn Fn([f64; 3]) -> [f64
         for (k, edge) in outline.iter().enumerate() {
             let i = if forward { (start + k) % n } else { (start + 2 * n - k) % n };
             offs.extend(off(edge, &contour.pieces[i], forward, back)?);
-        }
-        if !contour.closed {
-            offs.extend(ends(outline, contour, back));
         }
         Some(offs)
     };

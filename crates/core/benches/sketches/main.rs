@@ -2,8 +2,8 @@
 //!
 //! Parts of known outlines, scanned at five densities with noise of 0, .1 and .25 spacings, turned at random, are cut once each.
 //! A section is exact if its contours have the edges of the outlines in their order and nothing else; then the distances of
-//! parameters are taken: of centres and radii of arcs of a quarter turn and more, of lines across themselves at both ends, and of
-//! the ends of open outlines.
+//! parameters are taken: of centres and radii of arcs of a quarter turn and more, and of lines across themselves at both ends; apart from
+//! them those of the ends of open outlines.
 
 mod judge;
 mod parts;
@@ -27,7 +27,7 @@ fn main() {
     let noise: Option<f64> = args.get(2).and_then(|s| s.parse().ok());
     let verbose = args.get(3).is_some();
     println!(
-        "part              noise  exact by density (of {seeds})   exact  within   off median, 95 %, most"
+        "part              noise  exact by density (of {seeds})   exact  within   off median, 95 %, most   ends median, 95 %"
     );
     for noise in NOISES.into_iter().filter(|n| noise.is_none_or(|own| own == *n)) {
         let (mut all, mut exact, mut within) = (0, 0, 0);
@@ -58,24 +58,32 @@ fn row(name: &str, noise: f64, found: &[(usize, Verdict)]) -> (usize, usize) {
     let by_density: Vec<String> = (0..SPACINGS.len())
         .map(|d| format!("{:4}", found.iter().filter(|f| f.0 == d && exact(&f.1)).count()))
         .collect();
-    let mut offs: Vec<f64> = found.iter().filter(|f| exact(&f.1)).flat_map(|f| f.1.offs.clone()).collect();
-    offs.sort_by(f64::total_cmp);
-    let at = |share: f64| {
-        offs.get((share * offs.len() as f64) as usize).or(offs.last()).copied().unwrap_or(f64::NAN)
+    let offs = sorted(found.iter().flat_map(|f| &f.1.offs));
+    let ends = sorted(found.iter().flat_map(|f| &f.1.ends));
+    let at = |all: &[f64], share: f64| {
+        all.get((share * all.len() as f64) as usize).or(all.last()).copied().unwrap_or(f64::NAN)
     };
     let own = found.iter().filter(|f| exact(&f.1)).count();
     let good = found.iter().filter(|f| exact(&f.1) && f.1.offs.iter().all(|&o| o <= bound)).count();
     let share = |n: usize| n as f64 / found.len() as f64;
     println!(
-        "{name:17} {noise:5} {} {:17.3} {:7.3}   {:.3} {:.3} {:.3}",
+        "{name:17} {noise:5} {} {:17.3} {:7.3}   {:.3} {:.3} {:.3}   {:.3} {:.3}",
         by_density.concat(),
         share(own),
         share(good),
-        at(0.5),
-        at(0.95),
-        at(1.0)
+        at(&offs, 0.5),
+        at(&offs, 0.95),
+        at(&offs, 1.0),
+        at(&ends, 0.5),
+        at(&ends, 0.95)
     );
     (own, good)
+}
+
+fn sorted<'a>(all: impl Iterator<Item = &'a f64>) -> Vec<f64> {
+    let mut sorted: Vec<f64> = all.copied().collect();
+    sorted.sort_by(f64::total_cmp);
+    sorted
 }
 
 fn trial(part: &Part, spacing: f64, noise: f64, seed: u64) -> Verdict {

@@ -48,6 +48,12 @@ impl PlaneMoments {
         along(self.reference, self.first, 1.0 / self.weight)
     }
 
+    /// The standard deviation of the points along their longest axis.
+    pub(crate) fn spread(&self) -> f64 {
+        let [xx, xy, yy] = self.moved(self.mean()).second.map(|x| x / self.weight);
+        greater(xx, xy, yy).max(0.0).sqrt()
+    }
+
     /// Squared distances across a direction from the line along it through the mean.
     pub(crate) fn across(&self, direction: [f64; 2]) -> f64 {
         let [xx, xy, yy] = self.moved(self.mean()).second;
@@ -103,7 +109,7 @@ impl PlaneMoments {
         let [xx, xy, yy] = centred.second.map(|x| x / self.weight);
         let (trace, determinant) = (xx + yy, (xx * yy - xy * xy).max(0.0));
         // The lesser eigenvalue, without the difference of like numbers.
-        let greater = 0.5 * (trace + (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt() * 2.0);
+        let greater = greater(xx, xy, yy);
         let line = if greater > 0.0 { self.weight * determinant / greater } else { 0.0 };
         if determinant <= STRAIGHT * trace * trace {
             return Squares { line, circle: f64::INFINITY };
@@ -118,6 +124,11 @@ impl PlaneMoments {
         ];
         Squares { line, circle: self.weight * least_root(polynomial).min(trace) }
     }
+}
+
+/// The greater eigenvalue of a symmetric matrix.
+fn greater(xx: f64, xy: f64, yy: f64) -> f64 {
+    0.5 * (xx + yy) + (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt()
 }
 
 /// The least root, from below, of a cubic whose roots are the mean squared distances of algebraic circles.

@@ -16,8 +16,8 @@ const BESIDE: [usize; 2] = [4, 2];
 const FARTHEST: usize = 200;
 /// Fewest and most pieces that a spline stands for.
 const RUN: (usize, usize) = (3, 16);
-/// Fewest data of a line and of an arc, and the least length of each, spacings.
-const LEAST: [(usize, f64); 2] = [(3, 0.8), (6, 1.5)];
+/// Fewest data of a line and of an arc, and the least standard deviation along each, spacings: what is shorter, or rounder, is not seen.
+const LEAST: [(usize, f64); 2] = [(3, 0.2), (6, 0.4)];
 
 /// The pieces in order, spans of data, each up to the first datum of the next.
 pub(super) fn breaks(blocks: &Blocks, noise: &Noise, spacing: f64, corners: &[f64]) -> Vec<Span> {
@@ -46,11 +46,6 @@ fn places(blocks: &Blocks, found: &[Span]) -> Vec<usize> {
 fn again(blocks: &Blocks, noise: &Noise, spacing: f64, found: &[Span]) -> Vec<Span> {
     let places = places(blocks, found);
     let between: Vec<_> = places.windows(2).map(|w| blocks.of(w[0], w[1])).collect();
-    let length = |first: usize, last: usize| {
-        let (a, b) = (&blocks.data[first], &blocks.data[last - 1]);
-        // Over the seam of a ring the arcs begin anew.
-        if b.arc >= a.arc { b.arc - a.arc } else { f64::INFINITY }
-    };
     let mut best = vec![(f64::INFINITY, 0, Kind::Line); places.len()];
     best[0].0 = 0.0;
     for a in 0..places.len() - 1 {
@@ -62,8 +57,8 @@ fn again(blocks: &Blocks, noise: &Noise, spacing: f64, found: &[Span]) -> Vec<Sp
             if b > a + 1 {
                 sum.add(&between[b - 1]);
             }
-            let (count, length) = (places[b] - places[a], length(places[a], places[b]));
-            let enough = LEAST.map(|(fewest, least)| count >= fewest && length >= least * spacing);
+            let (count, spread) = (places[b] - places[a], sum.spread());
+            let enough = LEAST.map(|(fewest, least)| count >= fewest && spread >= least * spacing);
             let whole = a == 0 && b + 1 == places.len();
             if !enough[0] && !whole {
                 continue;

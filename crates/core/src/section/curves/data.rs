@@ -23,7 +23,7 @@ const WINDOW: usize = 8;
 /// Share of the windows whose error is less than that of the data: the others may hold corners.
 const CALM: f64 = 0.3;
 /// Least error of a datum, spacings: the tangent planes, and the tiles that share one, are no better.
-const LEAST_ERROR: f64 = 0.02;
+const LEAST_ERROR: f64 = 0.03;
 
 /// The data of a contour in blocks.
 #[derive(Clone, Debug)]

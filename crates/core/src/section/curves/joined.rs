@@ -61,7 +61,9 @@ fn end(fitted: &Fitted, vertex: [f64; 2], side: f64, spacing: f64) -> [f64; 2] {
     let foot = fitted.curve.foot(vertex);
     let way = fitted.curve.way(foot);
     let ahead = |d: &Datum| side * dot(sub(d.at, foot), way);
-    let near: Vec<f64> = fitted.data.iter().map(ahead).filter(|a| a.abs() <= END * spacing).collect();
+    // Not those of the other end of an arc.
+    let beside = fitted.data.iter().filter(|d| distance(d.at, foot) <= END * spacing);
+    let near: Vec<f64> = beside.map(ahead).collect();
     let Some(most) = near.iter().copied().max_by(f64::total_cmp) else { return foot };
     // Evenly strewn data end half a gap, or on the average a whole one, before what they lie on.
     let gap = ((most + END * spacing) / near.len() as f64).min(0.5 * spacing);
@@ -71,7 +73,11 @@ fn end(fitted: &Fitted, vertex: [f64; 2], side: f64, spacing: f64) -> [f64; 2] {
 fn primitive(kind: Kind, data: &[Datum]) -> Primitive {
     match kind {
         Kind::Line => Primitive::line(data),
-        Kind::Arc => Primitive::arc(data),
+        Kind::Arc => match Primitive::arc(data) {
+            // Too flat for a circle.
+            Primitive::Free => Primitive::line(data),
+            arc => arc,
+        },
         Kind::Spline(_) => Primitive::Free,
     }
 }
