@@ -57,8 +57,6 @@ const FEWEST: usize = 8;
 const ROUND_COST: f64 = 2.0;
 /// Fewest blocks of a circle.
 const ROUND_BLOCKS: usize = 6;
-/// Share of a tolerance that is given which the error of a datum may have.
-const ERROR_SHARE: f64 = 0.5;
 /// Greatest distance of a curve from a vertex where no tolerance is given, spacings and errors.
 const FREE_BOUND: (f64, f64) = (0.7, 4.0);
 /// Times that a ring is begun anew.
@@ -77,13 +75,10 @@ pub(crate) fn fit(chain: &Chain, data: &[Datum], tolerance: Option<f64>) -> Vec<
     let data = if data.len() < FEWEST { of_vertices(vertices, &arcs) } else { data.to_vec() };
     let corners: Vec<f64> = vertices.iter().zip(&arcs).filter(|(v, _)| v.corner).map(|(_, &a)| a).collect();
     let blocks = Blocks::new(data, spacing, &corners);
-    let own = blocks.error(spacing);
-    let error = tolerance.map_or(own, |t| own.min(ERROR_SHARE * t));
-    let mut noise = Noise::of_plane(error, blocks.data.len());
+    let mut noise = Noise::of_plane(blocks.error(spacing), blocks.data.len());
     let (mut blocks, mut spans) = searched(blocks, chain.closed, &noise, spacing, &corners);
     let found = breaks::error(&blocks, &spans);
-    let found = tolerance.map_or(found, |t| found.min(ERROR_SHARE * t));
-    if found > error {
+    if found > noise.sigma {
         noise = Noise { sigma: found, ..noise };
         (blocks, spans) = searched(blocks, chain.closed, &noise, spacing, &corners);
     }
