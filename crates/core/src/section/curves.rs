@@ -61,6 +61,8 @@ const ROUND_BLOCKS: usize = 6;
 const FREE_BOUND: (f64, f64) = (0.7, 4.0);
 /// Times that a ring is begun anew.
 const TURNS: usize = 4;
+/// Greatest distance of a circle from a vertex where no tolerance is given, as a multiple of that of other curves.
+const ASIDE: f64 = 2.0;
 /// Share of a turn that the data of a circle must go round.
 const ROUND: f64 = 0.9;
 
@@ -88,7 +90,8 @@ pub(crate) fn fit(chain: &Chain, data: &[Datum], tolerance: Option<f64>) -> Vec<
     {
         let at = circle.foot(vertices[0].at);
         let worst = vertices.iter().map(|v| circle.off(v.at)).fold(0.0, f64::max);
-        if worst <= limit {
+        // Where no tolerance is given, one vertex aside does not break a circle.
+        if worst <= tolerance.unwrap_or(ASIDE * limit) {
             let shape = Shape::Circle { centre: circle.centre, radius: circle.radius };
             return vec![Piece { shape, from: at, to: at, worst }];
         }
@@ -138,7 +141,7 @@ fn circle(blocks: &Blocks, spans: &[Span], noise: &Noise) -> Option<Circle> {
     let curve = Primitive::Arc { circle: Circle::fit(&points)?, left: true };
     let fitted = settled(Fitted { curve, data: &blocks.data }, noise.sigma);
     let Primitive::Arc { circle, .. } = fitted.curve else { return None };
-    let means: Vec<[f64; 2]> = blocks.sums.iter().map(|s| s.mean()).collect();
+    let means: Vec<[f64; 2]> = blocks.sums.iter().chain(&blocks.sums[..1]).map(|s| s.mean()).collect();
     let turned = primitive::sweep(&circle, &means).abs() / std::f64::consts::TAU;
     let own = noise.cost(noise.parameters(Kind::Arc), fitted.squares());
     let pieces = breaks::costs(blocks, noise, spans) + ROUND_COST;
