@@ -145,7 +145,9 @@ fn circle(blocks: &Blocks, spans: &[Span], noise: &Noise) -> Option<Circle> {
     let turned = primitive::sweep(&circle, &means).abs() / std::f64::consts::TAU;
     let own = noise.cost(noise.parameters(Kind::Arc), fitted.squares());
     let pieces = breaks::costs(blocks, noise, spans) + ROUND_COST;
-    (blocks.sums.len() >= ROUND_BLOCKS && turned > ROUND && own <= pieces).then_some(circle)
+    // One arc all the way round is the circle, whatever Taubin's squares say.
+    let one = matches!(spans, [Span { kind: Kind::Arc, .. }]);
+    (blocks.sums.len() >= ROUND_BLOCKS && turned > ROUND && (one || own <= pieces)).then_some(circle)
 }
 
 /// The length along the polyline to each vertex.
