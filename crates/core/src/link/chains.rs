@@ -1,18 +1,21 @@
-//! Chains of edgelets beside the strips: ours.
+//! Chains of edgelets, and the strips of the spanning graph where no chain is: ours.
 //!
-//! `join` links edgelets to chains, and `close` joins chains that continue each other. A strip beside a chain is moved onto it
-//! (`snap`), as cross-sections that pool many points place a crease better than single points do; stretches that no strip follows
-//! become strips of their own (`add`): the sides of narrow faces above all, which points by themselves cannot tell.
+//! Cross-sections that pool many points place a crease better than single points do, and tell the sides of narrow faces, which
+//! points by themselves cannot. So chains come first. `join` links edgelets to chains, `close` joins chains that continue each other,
+//! `meet` leads their ends on to corners, and `overlay` takes over the pieces of strips that lie beside no chain.
 
-mod add;
 mod close;
+mod crossing;
+mod graph;
 mod join;
+mod meet;
+mod overlay;
 mod samples;
-mod snap;
 
 use crate::measure::Edgelet;
 use crate::pattern::LineGraph;
 use crate::surface::Scales;
+use graph::Graph;
 
 /// Least length of a chain that may be continued by others, in spacings.
 const SHORT: f64 = 2.0;
@@ -26,25 +29,26 @@ struct Chain {
     longest: f64,
 }
 
-/// Has the lines follow chains of edgelets that are at least `length` spacings long and show the `evidence`.
-pub(super) fn follow(
-    lines: &mut LineGraph,
+/// The chains of edgelets that are at least `length` spacings long and show the `evidence`, and where there is none the `strips`.
+pub(super) fn chains(
+    strips: LineGraph,
     edgelets: &[Edgelet],
     length: f64,
     evidence: f64,
     scales: Scales,
-) {
-    if edgelets.is_empty() {
-        return;
-    }
+) -> LineGraph {
     let mut chains = join::join(edgelets);
     chains.retain(|c| c.longest >= SHORT);
     let mut chains = close::close(chains);
     // Chains that were too short by themselves take more, all together, as there are many to choose from.
     chains.retain(|c| c.longest >= length || join::extent(&c.members) >= 2.0 * length * c.members[0].spacing);
     chains.retain(|c| shown(c) >= evidence);
-    snap::snap(lines, &chains, scales);
-    add::add(lines, &chains, scales);
+    if chains.is_empty() {
+        return strips;
+    }
+    let mut graph = Graph::new(&chains);
+    meet::meet(&mut graph);
+    overlay::overlay(graph, &strips, scales)
 }
 
 /// The evidence of a chain: that of an edgelet, as many times as edgelets along it rest on points of their own.

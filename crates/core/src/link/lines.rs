@@ -1,7 +1,7 @@
 //! The crease and border patterns (Gumhold 2001, sections 3.2 and 3.3), repaired in the robust form.
 
-use super::chains::follow;
-use super::repair::{dock, repair};
+use super::chains::chains;
+use super::repair::{bridge, dock, repair};
 use super::spanning::{CycleRule, candidate_edges, minimum_spanning_graph, prune};
 use crate::measure::{Measure, Penalties};
 use crate::neighbors::Neighbors;
@@ -35,9 +35,11 @@ pub(crate) fn link(
     match rule.form {
         PenaltyForm::Paper => {}
         PenaltyForm::Robust => {
-            if spanning.creases {
-                let length = params.edgelets.chain_spacings;
-                follow(&mut pattern.crease, &measure.edgelets, length, repair.evidence, scales);
+            if spanning.creases && !measure.edgelets.is_empty() {
+                let (length, evidence) = (params.edgelets.chain_spacings, repair.evidence);
+                let strips = std::mem::take(&mut pattern.crease);
+                pattern.crease = chains(strips, &measure.edgelets, length, evidence, scales);
+                bridge(&mut pattern.crease, StripKind::Crease, scales, repair);
             }
             dock(&mut pattern, scales);
         }

@@ -16,9 +16,11 @@ fn row(from: i32, to: i32, arms: [[f64; 3]; 2]) -> Vec<Edgelet> {
 }
 
 fn lines_of(edgelets: &[Edgelet]) -> LineGraph {
-    let mut lines = LineGraph::default();
-    follow(&mut lines, edgelets, 5.0, 25.0, Resolution { spacing: 1.0, noise: 0.0 }.into());
-    lines
+    over(LineGraph::default(), edgelets)
+}
+
+fn over(strips: LineGraph, edgelets: &[Edgelet]) -> LineGraph {
+    chains(strips, edgelets, 5.0, 25.0, Resolution { spacing: 1.0, noise: 0.0 }.into())
 }
 
 /// Vertices with one edge.
@@ -82,24 +84,83 @@ fn rings_are_closed_also_over_a_gap() {
     }
 }
 
+/// A strip through places, a vertex each.
+fn strip(lines: &mut LineGraph, places: impl Iterator<Item = [f64; 3]>) -> Vec<u32> {
+    let added: Vec<u32> = places.map(|p| lines.push_vertex(0, p)).collect();
+    added.windows(2).for_each(|w| lines.add_edge(w[0], w[1]));
+    added
+}
+
+/// Numbers of edges of the vertices that are nodes.
+fn degrees(lines: &LineGraph) -> Vec<usize> {
+    let is_node = lines.is_node();
+    let mut degrees: Vec<usize> =
+        (0..is_node.len()).filter(|&v| is_node[v]).map(|v| lines.edges[v].len()).collect();
+    degrees.sort_unstable();
+    degrees
+}
+
 #[test]
-fn strips_move_onto_chains_beside_them_and_no_second_strip_is_added() {
-    let mut lines = LineGraph::default();
-    for x in 0..20 {
-        lines.push_vertex(0, [f64::from(x), 0.4, 0.0]);
+fn a_chain_takes_the_place_of_the_strip_beside_it_and_the_rest_of_the_strip_goes_on() {
+    let mut strips = LineGraph::default();
+    let main = strip(&mut strips, (0..40).map(|x| [f64::from(x), 0.4, 0.0]));
+    let branch = strip(&mut strips, (1..8).map(|y| [10.0, 0.4 + f64::from(y), 0.0]));
+    strips.add_edge(main[10], branch[0]);
+    // A link to nowhere, shorter than the neighbourhoods by which points are judged.
+    let link = strip(&mut strips, (1..4).map(|y| [5.0, 0.4 + f64::from(y), 0.0]));
+    strips.add_edge(main[5], link[0]);
+    let lines = over(strips, &row(0, 20, FACES));
+    assert_eq!(degrees(&lines), [1, 1, 1, 3]);
+    for (v, p) in lines.positions.iter().enumerate().filter(|(v, _)| !lines.edges[*v].is_empty()) {
+        let expected = if p[0] < 19.5 && p[1] < 1.0 { 0.0 } else { 0.4 };
+        assert!(p[1] == expected || p[0] == 10.0, "{v}: {p:?}");
     }
-    (1..20).for_each(|v| lines.add_edge(v - 1, v));
-    // A strip across it, which begins at a junction.
-    let branch = [1.0, 2.0, 3.0].map(|y| lines.push_vertex(0, [10.0, 0.4 + y, 0.0]));
-    for (a, b) in [(10, branch[0]), (branch[0], branch[1]), (branch[1], branch[2])] {
-        lines.add_edge(a, b);
-    }
-    let before = lines.clone();
-    follow(&mut lines, &row(0, 20, FACES), 5.0, 25.0, Resolution { spacing: 1.0, noise: 0.0 }.into());
-    assert_eq!(lines.edges, before.edges);
-    for v in 0..23 {
-        let moved = v < 20 && v != 10;
-        let y = if moved { 0.0 } else { before.positions[v][1] };
-        assert!((lines.positions[v][1] - y).abs() < 1e-9, "{v}: {:?}", lines.positions[v]);
-    }
+    let count = lines.positions.iter().filter(|p| p[1] == 0.4).count();
+    assert_eq!(count, 20, "the strip goes on beyond the chain");
+}
+
+#[test]
+fn chains_that_end_before_a_corner_are_led_on_to_it() {
+    // The three edges of a box at the origin, seen from 2.5 spacings on.
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let edge = |k: usize| {
+        let (a, b) = (axes[(k + 1) % 3], axes[(k + 2) % 3]);
+        (0..10).map(move |i| edgelet(axes[k].map(|x| x * (2.5 + f64::from(i))), axes[k], [a, b]))
+    };
+    let lines = lines_of(&(0..3).flat_map(edge).collect::<Vec<_>>());
+    assert_eq!(degrees(&lines), [1, 1, 1, 3]);
+    let corner = (0..lines.edges.len()).find(|&v| lines.edges[v].len() == 3).unwrap();
+    assert!(norm(lines.positions[corner]) < 1e-9, "{:?}", lines.positions[corner]);
+}
+
+#[test]
+fn a_chain_that_runs_into_the_side_of_another_meets_it_there() {
+    let side = (3..13)
+        .map(|y| edgelet([10.0, f64::from(y), 0.0], [0.0, 1.0, 0.0], [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0]]));
+    let up = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let main = row(0, 20, up);
+    let lines = lines_of(&main.iter().copied().chain(side.clone()).collect::<Vec<_>>());
+    assert_eq!(degrees(&lines), [1, 1, 1, 3]);
+    // Not where they bound no face together.
+    let tilted = [[0.0, 0.6, 0.8], [0.0, -0.8, 0.6]];
+    let apart = row(0, 20, tilted);
+    let lines = lines_of(&apart.iter().copied().chain(side).collect::<Vec<_>>());
+    assert_eq!(degrees(&lines), [1, 1, 1, 1]);
+}
+
+#[test]
+fn the_end_of_a_narrow_face_is_closed() {
+    // A rib two wide along x that ends at x = 0: its upper edges, and the upright ones of its end.
+    let (top, end) = ([0.0, 0.0, -1.0], [1.0, 0.0, 0.0]);
+    let sides = [(0.0, [0.0, 1.0, 0.0]), (2.0, [0.0, -1.0, 0.0])];
+    let edges = sides.iter().flat_map(|&(y, inwards)| {
+        let along = (2..12).map(move |x| edgelet([f64::from(x), y, 0.0], end, [inwards, top]));
+        let down = (2..12).map(move |z| edgelet([0.0, y, -f64::from(z)], top, [inwards, end]));
+        along.chain(down)
+    });
+    let lines = lines_of(&edges.collect::<Vec<_>>());
+    assert_eq!(degrees(&lines), [1, 1, 1, 1, 3, 3]);
+    let corners: Vec<u32> =
+        (0..lines.edges.len() as u32).filter(|&v| lines.edges[v as usize].len() == 3).collect();
+    assert!(lines.edges[corners[0] as usize].contains(&corners[1]), "the edge between both corners");
 }
