@@ -1,7 +1,6 @@
 //! Gaps between chains closed where one continues the other: the ends face each other, and the faces beside them are the same.
 
-use super::Chain;
-use super::join::extent;
+use super::chain::Chain;
 use crate::math::vec3::{add, add_scaled, distance, dot, norm, scale, sub, unit};
 use crate::measure::Edgelet;
 use crate::neighbors::Index;
@@ -58,7 +57,7 @@ fn end(chain: &Chain, first: bool) -> End {
         1 => scale(e.along, if first { -1.0 } else { 1.0 }),
         _ => unit(sub(e.place, chain.members[from].place)),
     };
-    End { place: e.place, out, arms: e.arms, spacing: e.spacing, length: extent(&chain.members) }
+    End { place: e.place, out, arms: e.arms, spacing: e.spacing, length: chain.extent() }
 }
 
 /// The best end for each end to be joined with.

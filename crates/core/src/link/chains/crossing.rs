@@ -9,6 +9,8 @@ use crate::neighbors::Index;
 const LED: (f64, f64) = (6.0, 2.5);
 /// Greatest distance of the lines of two chains where they cross, in spacings.
 const APART: f64 = 0.9;
+/// Greatest distance by which a chain that is curved leaves its line up to the crossing, in spacings.
+const BENT: f64 = 0.5;
 /// Least sine of the angle between two chains that cross.
 pub(super) const CROSSING: f64 = 0.35;
 /// Least cosine between the normals of one face.
@@ -58,7 +60,9 @@ fn crossing(graph: &Graph, end: u32, own: Straight, other: u32) -> Option<Crossi
     let reached =
         if outside > 0.0 { outside <= LED.0 * h } else { norm(beyond) <= h.max(graph.spacing(other)) };
     let apart = distance(p, q);
-    let near = (-LED.1 * h..=LED.0 * h).contains(&ahead) && apart <= APART * h && reached;
+    let off = |line: Straight, led: f64| 0.5 * line.bend * led.max(0.0).powi(2);
+    let straight = off(own, ahead).max(off(line, outside)) <= BENT * h;
+    let near = straight && (-LED.1 * h..=LED.0 * h).contains(&ahead) && apart <= APART * h && reached;
     if !near || !share_face(&graph.edgelets[end as usize], &graph.edgelets[other as usize]) {
         return None;
     }

@@ -1,7 +1,7 @@
 //! The graph of chains: a vertex for each edgelet.
 
-use super::Chain;
-use crate::math::vec3::{add_scaled, distance, sub, unit};
+use super::chain::Chain;
+use crate::math::vec3::{add_scaled, cross, norm, sub, unit};
 use crate::measure::{Edgelet, Evidence};
 use crate::pattern::LineGraph;
 
@@ -17,11 +17,12 @@ pub(super) struct Graph {
     pub(super) edgelets: Vec<Edgelet>,
 }
 
-/// A straight line: a place and a unit direction.
+/// The line along a piece of chain: a place, a unit direction, and the curvature of the piece.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Straight {
     pub(super) place: [f64; 3],
     pub(super) along: [f64; 3],
+    pub(super) bend: f64,
 }
 
 impl Graph {
@@ -88,13 +89,20 @@ impl Graph {
     /// The line through the vertices on both sides of `v`; at an end it leads outwards.
     pub(super) fn straight(&self, v: u32) -> Straight {
         let row = self.around(v);
-        let half = row.len() / 2;
-        let [from, to] = [self.mean(&row[..half]), self.mean(&row[row.len() - half..])];
-        let own = &self.edgelets[v as usize];
-        match distance(from, to) > 0.0 {
-            true => Straight { place: self.mean(&row), along: unit(sub(to, from)) },
-            false => Straight { place: own.place, along: own.along },
+        let (half, third) = (row.len() / 2, row.len() / 3);
+        let chord = |from: &[u32], to: &[u32]| sub(self.mean(to), self.mean(from));
+        let whole = chord(&row[..half], &row[row.len() - half..]);
+        if norm(whole) == 0.0 {
+            let own = &self.edgelets[v as usize];
+            return Straight { place: own.place, along: own.along, bend: 0.0 };
         }
+        let [first, last] = [
+            chord(&row[..third], &row[third..2 * third]),
+            chord(&row[third..2 * third], &row[row.len() - third..]),
+        ];
+        let turn = norm(cross(first, last)) / (norm(first) * norm(last)).max(f64::MIN_POSITIVE);
+        let bend = turn / (0.5 * (norm(first) + norm(last))).max(f64::MIN_POSITIVE);
+        Straight { place: self.mean(&row), along: unit(whole), bend: if third > 0 { bend } else { 0.0 } }
     }
 
     /// The vertices on both sides of `v`, in order; `v` is the last where it is an end.

@@ -1,7 +1,7 @@
 //! Edgelets joined to chains: each to the best one ahead and the best one behind, where both agree.
 
-use super::Chain;
-use crate::math::vec3::{cross, distance, dot, norm, sub};
+use super::chain::{Chain, extent};
+use crate::math::vec3::{cross, dot, norm, sub};
 use crate::measure::Edgelet;
 use crate::neighbors::Index;
 use std::collections::VecDeque;
@@ -98,10 +98,4 @@ fn cost(e: &Edgelet, o: &Edgelet) -> Option<(bool, f64)> {
         && across <= share * along.abs() + more * e.spacing
         && along.abs() >= STEP.1 * e.spacing;
     follows.then_some((along > 0.0, along.abs() + ACROSS * across))
-}
-
-/// The length of a row of edgelets, without gaps that were closed.
-pub(super) fn extent(members: &[Edgelet]) -> f64 {
-    let seen = members.windows(2).filter(|w| w[0].evidence > 0.0 && w[1].evidence > 0.0);
-    seen.map(|w| distance(w[0].place, w[1].place)).sum()
 }

@@ -19,7 +19,7 @@ const LENGTH: f64 = 4.0;
 struct Free<'a> {
     strips: &'a LineGraph,
     scales: Scales<'a>,
-    /// `(V)` whether each vertex lies beside no chain.
+    /// `(V)` whether each vertex lies beside no chain, or stays with its strip.
     free: Vec<bool>,
     /// `(V)` a vertex that stands for the connected piece of free vertices.
     piece: Vec<u32>,
@@ -32,9 +32,9 @@ struct Joint {
     loose: bool,
 }
 
-/// The chains, and the pieces of strips that lie beside none.
-pub(super) fn overlay(graph: Graph, strips: &LineGraph, scales: Scales) -> LineGraph {
-    let free = Free::new(&graph, strips, scales);
+/// The chains, the strips that stay `whole`, and the pieces of the others that lie beside no chain.
+pub(super) fn overlay(graph: Graph, strips: &LineGraph, whole: &[bool], scales: Scales) -> LineGraph {
+    let free = Free::new(&graph, strips, whole, scales);
     let joints = free.joints(&graph);
     let kept = free.kept(&joints);
     let mut lines = graph.lines;
@@ -49,11 +49,14 @@ pub(super) fn overlay(graph: Graph, strips: &LineGraph, scales: Scales) -> LineG
 const NONE: u32 = u32::MAX;
 
 impl<'a> Free<'a> {
-    fn new(graph: &Graph, strips: &'a LineGraph, scales: Scales<'a>) -> Free<'a> {
+    fn new(graph: &Graph, strips: &'a LineGraph, whole: &[bool], scales: Scales<'a>) -> Free<'a> {
         let count = strips.edges.len();
         let samples = Samples::new(graph.edges());
         let mut free = Free { strips, scales, free: Vec::new(), piece: Vec::new() };
-        let clear = |v: usize| !samples.within(strips.positions[v], SAME * free.spacing(v));
+        let clear = |v: usize| {
+            let reach = SAME * free.spacing(v);
+            whole[v] || samples.nearest(strips.positions[v], reach, |_| true).is_none()
+        };
         free.free = (0..count).map(clear).collect();
         let mut sets = UnionFind::new(count);
         for (a, b) in free.pairs().filter(|&(a, b)| free.free[a] && free.free[b]) {
