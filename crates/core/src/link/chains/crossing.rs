@@ -10,11 +10,13 @@ const LED: (f64, f64) = (6.0, 2.5);
 /// Greatest distance of the lines of two chains where they cross, in spacings.
 const APART: f64 = 0.9;
 /// Greatest distance by which a chain that is curved leaves its line up to the crossing, in spacings.
-const BENT: f64 = 0.5;
+const BENT: f64 = 0.25;
 /// Least sine of the angle between two chains that cross.
 pub(super) const CROSSING: f64 = 0.35;
 /// Least cosine between the normals of one face.
 const SAME_FACE: f64 = 0.9;
+/// Least cosine between the normals of both faces of a crease before and after a gap in it, also where it is curved.
+const CONTINUED: f64 = 0.7;
 /// Vertices of a chain from its end on with which the end cannot meet.
 const OWN: usize = 12;
 /// Cost of a distance between the lines, and of one along the other chain, beside one along the chain.
@@ -63,7 +65,7 @@ fn crossing(graph: &Graph, end: u32, own: Straight, other: u32) -> Option<Crossi
     let off = |line: Straight, led: f64| 0.5 * line.bend * led.max(0.0).powi(2);
     let straight = off(own, ahead).max(off(line, outside)) <= BENT * h;
     let near = straight && (-LED.1 * h..=LED.0 * h).contains(&ahead) && apart <= APART * h && reached;
-    if !near || !share_face(&graph.edgelets[end as usize], &graph.edgelets[other as usize]) {
+    if !near || !turns(&graph.edgelets[end as usize], &graph.edgelets[other as usize]) {
         return None;
     }
     let cost = ahead.abs() + outside + COST.0 * apart + COST.1 * norm(beyond);
@@ -91,7 +93,10 @@ pub(super) fn same_face(a: [f64; 3], b: [f64; 3]) -> bool {
     dot(a, b).abs() >= SAME_FACE
 }
 
-fn share_face(a: &Edgelet, b: &Edgelet) -> bool {
-    let of_b = normals(b);
-    normals(a).iter().any(|&n| of_b.iter().any(|&m| same_face(n, m)))
+/// Whether two chains bound one face together but not two: those of one crease do, on both sides of a gap.
+fn turns(a: &Edgelet, b: &Edgelet) -> bool {
+    let (of_a, of_b) = (normals(a), normals(b));
+    let shared = of_a.iter().any(|&n| of_b.iter().any(|&m| same_face(n, m)));
+    let like = |n: usize, m: usize| dot(of_a[n], of_b[m]).abs() >= CONTINUED;
+    shared && !(like(0, 0) && like(1, 1) || like(0, 1) && like(1, 0))
 }
