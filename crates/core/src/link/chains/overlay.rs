@@ -93,15 +93,18 @@ impl<'a> Free<'a> {
         joints
     }
 
-    /// `(V)` whether each free piece stays, at the vertex that stands for it: long ones, and those that continue a chain.
+    /// `(V)` whether each free piece stays, at the vertex that stands for it: all but short ones between chains that go on without
+    /// them.
     fn kept(&self, joints: &[Joint]) -> Vec<bool> {
         let mut length = vec![0.0; self.free.len()];
         for (a, b) in self.pairs().filter(|&(a, b)| self.free[a] && (a < b || !self.free[b])) {
             let step = distance(self.strips.positions[a], self.strips.positions[b]);
             length[self.piece[a] as usize] += step / self.spacing(a);
         }
-        let mut kept: Vec<bool> = length.iter().map(|&l| l >= LENGTH).collect();
-        joints.iter().filter(|j| j.loose).for_each(|j| kept[self.piece[j.vertex as usize] as usize] = true);
+        let mut kept = vec![true; self.free.len()];
+        let pieces = || joints.iter().map(|j| (self.piece[j.vertex as usize] as usize, j.loose));
+        pieces().for_each(|(piece, _)| kept[piece] = length[piece] >= LENGTH);
+        pieces().filter(|(_, loose)| *loose).for_each(|(piece, _)| kept[piece] = true);
         kept
     }
 

@@ -109,11 +109,13 @@ fn a_chain_takes_the_place_of_the_strip_beside_it_and_the_rest_of_the_strip_goes
     // A link to nowhere, shorter than the neighbourhoods by which points are judged.
     let link = strip(&mut strips, (1..4).map(|y| [5.0, 0.4 + f64::from(y), 0.0]));
     strips.add_edge(main[5], link[0]);
+    // As short, but far from any chain.
+    strip(&mut strips, (0..4).map(|x| [f64::from(x), 50.0, 0.0]));
     let lines = over(strips, &row(0, 20, FACES));
-    assert_eq!(degrees(&lines), [1, 1, 1, 3]);
+    assert_eq!(degrees(&lines), [1, 1, 1, 1, 1, 3]);
     for (v, p) in lines.positions.iter().enumerate().filter(|(v, _)| !lines.edges[*v].is_empty()) {
-        let expected = if p[0] < 19.5 && p[1] < 1.0 { 0.0 } else { 0.4 };
-        assert!(p[1] == expected || p[0] == 10.0, "{v}: {p:?}");
+        let expected = if p[0] < 19.5 { 0.0 } else { 0.4 };
+        assert!(p[1] == expected || p[0] == 10.0 || p[1] == 50.0, "{v}: {p:?}");
     }
     let count = lines.positions.iter().filter(|p| p[1] == 0.4).count();
     assert_eq!(count, 20, "the strip goes on beyond the chain");
