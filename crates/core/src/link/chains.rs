@@ -2,12 +2,13 @@
 //!
 //! Cross-sections that pool many points place a crease better than single points do, and tell the sides of narrow faces, which
 //! points by themselves cannot. So chains come first. `join` links edgelets to chains, `close` joins chains that continue each other,
-//! `meet` leads their ends on to corners, and `overlay` takes over the pieces of strips that lie beside no chain. Strips that are
-//! closed stay whole (`rings`).
+//! and `double` leaves the longest of those along one crease. `rings` keeps strips whole that are closed, `meet` leads the ends
+//! of chains on to corners, and `overlay` takes over the pieces of strips that lie beside no chain.
 
 mod chain;
 mod close;
 mod crossing;
+mod double;
 mod graph;
 mod join;
 mod meet;
@@ -36,6 +37,7 @@ pub(super) fn chains(
     // Chains that were too short by themselves take more, all together, as there are many to choose from.
     chains.retain(|c| c.longest >= length || c.extent() >= 2.0 * length * c.members[0].spacing);
     chains.retain(|c| c.evidence() >= evidence);
+    let mut chains = double::remove(&chains);
     if chains.is_empty() {
         return strips;
     }

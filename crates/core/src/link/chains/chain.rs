@@ -3,6 +3,9 @@
 use crate::math::vec3::distance;
 use crate::measure::Edgelet;
 
+/// Least length of a stretch of a chain, in spacings.
+const LENGTH: f64 = 4.0;
+
 /// Edgelets that follow each other along a crease; the last is joined to the first if `closed`.
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
@@ -24,6 +27,21 @@ impl Chain {
         let closing = self.closed.then(|| [members[members.len() - 1], members[0]]);
         let pairs = members.windows(2).map(|w| [w[0], w[1]]).chain(closing);
         pairs.map(|[a, b]| (a.place, b.place, a.spacing))
+    }
+
+    /// The stretches of the edgelets to `keep`, short ones left out.
+    pub(super) fn stretches(&self, keep: impl Fn(&Edgelet) -> bool) -> Vec<Chain> {
+        let kept: Vec<bool> = self.members.iter().map(keep).collect();
+        if kept.iter().all(|&k| k) {
+            return vec![self.clone()];
+        }
+        let mut from = 0;
+        let runs = kept.chunk_by(|a, b| a == b).map(|run| {
+            from += run.len();
+            (run[0], &self.members[from - run.len()..from])
+        });
+        let long = runs.filter(|(kept, run)| *kept && extent(run) >= LENGTH * run[0].spacing);
+        long.map(|(_, run)| Chain { members: run.to_vec(), closed: false, longest: self.longest }).collect()
     }
 
     /// Its evidence: that of an edgelet, as many times as edgelets along it rest on points of their own.

@@ -2,9 +2,10 @@
 //!
 //! A closed strip is better evidence than pieces of chains beside it: chains of a small hole break where noise hides its wall.
 
-use super::chain::{Chain, extent};
+use super::chain::Chain;
 use super::samples::Samples;
 use crate::math::vec3::{dot, norm, sub};
+use crate::measure::Edgelet;
 use crate::pattern::{LineGraph, paths};
 use crate::surface::Scales;
 
@@ -14,8 +15,6 @@ const REACH: f64 = 1.0;
 const ALIGNED: f64 = 0.8;
 /// Distance from every closed strip at which an edgelet belongs to another line, in spacings.
 const CLEAR: f64 = 0.5;
-/// Least length of what closed strips leave of a chain, in spacings.
-const LENGTH: f64 = 4.0;
 
 /// `(V)` whether each vertex belongs to a closed strip; such vertices move onto the chains, which keep the stretches that lie
 /// beside no closed strip.
@@ -26,7 +25,8 @@ pub(super) fn take(strips: &mut LineGraph, chains: &mut Vec<Chain>, scales: Scal
     }
     snap(strips, &closed, chains, scales);
     let samples = Samples::new(edges(strips, &closed, scales));
-    *chains = chains.iter().flat_map(|chain| rest(chain, &samples)).collect();
+    let free = |e: &Edgelet| samples.nearest(e.place, CLEAR * e.spacing, |_| true).is_none();
+    *chains = chains.iter().flat_map(|chain| chain.stretches(free)).collect();
     closed
 }
 
@@ -56,15 +56,4 @@ fn edges<'a>(
     all.filter(|(a, b)| a < b).map(move |(a, b)| {
         (strips.positions[a], strips.positions[b], scales.at(strips.points[a] as usize).spacing)
     })
-}
-
-/// What closed strips leave of a chain.
-fn rest(chain: &Chain, strips: &Samples) -> Vec<Chain> {
-    let free = |e: &crate::measure::Edgelet| strips.nearest(e.place, CLEAR * e.spacing, |_| true).is_none();
-    if chain.members.iter().all(free) {
-        return vec![chain.clone()];
-    }
-    let runs = chain.members.chunk_by(|a, b| free(a) == free(b)).filter(|run| free(&run[0]));
-    let long = runs.filter(|run| extent(run) >= LENGTH * run[0].spacing);
-    long.map(|run| Chain { members: run.to_vec(), closed: false, longest: chain.longest }).collect()
 }

@@ -122,6 +122,20 @@ fn a_chain_takes_the_place_of_the_strip_beside_it_and_the_rest_of_the_strip_goes
 }
 
 #[test]
+fn of_two_chains_along_one_crease_the_longer_stays() {
+    let beside = |y: f64, arms| {
+        row(5, 12, arms).into_iter().map(move |e| Edgelet { place: [e.place[0], y, 0.0], ..e })
+    };
+    let double: Vec<Edgelet> = row(0, 20, FACES).into_iter().chain(beside(0.6, FACES)).collect();
+    let lines = lines_of(&double);
+    assert_eq!((degrees(&lines), lines.edge_count()), (vec![1, 1], 19));
+    // The other side of a narrow face is another crease.
+    let across = [[0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];
+    let narrow: Vec<Edgelet> = row(0, 20, FACES).into_iter().chain(beside(0.7, across)).collect();
+    assert_eq!(lines_of(&narrow).edge_count(), 19 + 6);
+}
+
+#[test]
 fn chains_that_end_before_a_corner_are_led_on_to_it() {
     // The three edges of a box at the origin, seen from 2.5 spacings on.
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
