@@ -76,6 +76,14 @@ pub(crate) fn zone(geographic: u64, projection: u64) -> Option<u64> {
     }
 }
 
+/// Whether a code of the register is a UTM zone.
+pub(crate) fn is_utm(code: u64) -> bool {
+    UTM.iter()
+        .flat_map(|system| [Some(&system.north), system.south.as_ref()])
+        .flatten()
+        .any(|(zones, zero)| code.checked_sub(*zero).is_some_and(|zone| zones.contains(&zone)))
+}
+
 impl Zones {
     /// The code of a zone, if it belongs to the series.
     fn code(&self, zone: u64, south: bool) -> Option<u64> {

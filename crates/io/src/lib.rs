@@ -21,6 +21,7 @@ mod output;
 mod quiet;
 mod read;
 mod source;
+mod unit;
 mod write;
 
 pub use error::{Error, Place};
@@ -30,6 +31,7 @@ pub use format::{
 };
 pub use output::{Output, check_output};
 pub use read::{LasFrame, LasRecord, Missing, ReadOptions, Returns, Scan, read, read_all, read_from};
+pub use unit::Unit;
 pub use write::{
     NetworkContext, Parameter, PointTable, Report, SectionContext, label_clutter, write_cleaned,
     write_network, write_network_to, write_patches, write_picture, write_picture_to, write_points,

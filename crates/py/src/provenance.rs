@@ -52,6 +52,7 @@ impl Provenance {
             crs_wkt: self.crs_wkt,
             view,
             millimetres,
+            unit: None,
             first_schema: false,
             patches,
         })
@@ -67,6 +68,7 @@ impl Provenance {
             crs: self.crs,
             crs_wkt: self.crs_wkt,
             millimetres,
+            unit: None,
             stack,
         }
     }

@@ -2,10 +2,12 @@
 
 mod running;
 mod source;
+mod stated;
 mod tuning;
 mod work;
 
 pub use running::Running;
 pub use source::{Reading, Source};
+pub use stated::Stated;
 pub use tuning::{Settings, Tuning};
 pub use work::Work;

@@ -3,7 +3,7 @@
 use lineament::detect::baselines::Detector;
 use lineament::mesh::MOST_SAMPLES;
 use lineament::params::ParamValue;
-use lineament_io::{Format, Returns};
+use lineament_io::{Format, Returns, Unit};
 
 /// `KEY=VALUE`.
 pub fn setting(text: &str) -> Result<(String, String), String> {
@@ -71,6 +71,11 @@ pub fn returns(text: &str) -> Result<Returns, String> {
         "only" => Ok(Returns::Only),
         _ => Err("first, last or only was expected".into()),
     }
+}
+
+/// The sign of a unit of length.
+pub fn unit(text: &str) -> Result<Unit, String> {
+    Unit::parse(text).ok_or_else(|| format!("the units are {}", Unit::ALL.map(Unit::sign).join(", ")))
 }
 
 /// A number of bytes, with K, M, G or T for powers of 1024.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
 
-use super::groups::Work;
+use super::groups::{Stated, Work};
 
 /// The head of the long help.
 pub const ABOUT: &str = "\
@@ -29,6 +29,8 @@ pub struct Patches {
     /// NAME.patches.json and NAME.patches.ply, `{stem}` stands for the name of the input, `-` is JSON on standard output
     #[arg(short, long, value_name = "OUT", required = true, value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
+    #[command(flatten)]
+    pub stated: Stated,
     /// Folder for the stages of the method `segments`, as of `extract`
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub stages: Option<PathBuf>,

@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum, ValueHint};
 use lineament::params::{Auto, ParamValue};
 use lineament::section::{Axis, Planes, SectionParams, Zero};
 
-use super::groups::{Running, Settings, Source};
+use super::groups::{Running, Settings, Source, Stated};
 use super::parse;
 
 /// The head of the long help.
@@ -60,6 +60,8 @@ pub struct Section {
     /// Millimetres of a drawing (SVG) for one unit of the input [default: fit 200 mm]
     #[arg(long, help_heading = "Output", value_name = "MM", value_parser = parse::length)]
     pub millimetres: Option<f64>,
+    #[command(flatten)]
+    pub stated: Stated,
     #[command(flatten)]
     pub running: Running,
 }

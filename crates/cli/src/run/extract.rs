@@ -54,6 +54,7 @@ fn one(
     let context = NetworkContext {
         view,
         millimetres: args.millimetres,
+        unit: args.stated.unit,
         first_schema: args.schema == 1,
         ..context(&input, &work.params, &found)
     };

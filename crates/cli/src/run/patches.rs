@@ -6,7 +6,7 @@ use std::time::Instant;
 use lineament::params::Auto;
 use lineament::patch::NO_PATCH;
 use lineament::{Attribute, Column, Extraction, Method, Params, Patches};
-use lineament_io::{PatchFormat, PointTable, ReadOptions, patch_format, write_patches};
+use lineament_io::{NetworkContext, PatchFormat, PointTable, ReadOptions, patch_format, write_patches};
 
 use super::context::context;
 use super::{page, stages};
@@ -41,7 +41,7 @@ fn one(work: &Work, args: &args::Patches, origin: &Origin, outputs: &[PathBuf]) 
     let hash = is(|f| f == PatchFormat::Json);
     let mut input = work.load(origin, &ReadOptions { attributes, hash, ..Default::default() })?;
     let found = work.extract(origin, &input)?;
-    let context = context(&input, &work.params, &found);
+    let context = NetworkContext { unit: args.stated.unit, ..context(&input, &work.params, &found) };
     let labels = found.patch_labels();
     input.cloud.attributes.insert(0, Attribute { name: "patch".into(), values: labels_column(&labels) });
     let classes: Vec<u8> = found.classes().into_iter().map(|class| class as u8).collect();

@@ -55,6 +55,7 @@ fn one(
         crs: input.reference(),
         crs_wkt: input.las.as_ref().and_then(LasFrame::wkt),
         millimetres: args.millimetres,
+        unit: args.stated.unit,
         stack,
     };
     for path in outputs {

@@ -95,6 +95,22 @@ impl<const D: usize> BSpline<D> {
         self.knots[i.rem_euclid(count) as usize] + period * i.div_euclid(count) as f64
     }
 
+    /// The same curve as files have it: with every control point that it uses, and `controls + degree + 1` knots. A periodic curve
+    /// gets its first controls again at its end, and knots beyond both; its domain stays.
+    pub fn unrolled(&self) -> BSpline<D> {
+        if !self.periodic {
+            return self.clone();
+        }
+        let (count, degree) = (self.controls.len(), self.degree as isize);
+        let control = |i: isize| self.controls[i.rem_euclid(count as isize) as usize];
+        BSpline {
+            degree: self.degree,
+            knots: (-degree..=count as isize + degree).map(|i| self.knot(i)).collect(),
+            controls: (-degree..count as isize).map(control).collect(),
+            periodic: false,
+        }
+    }
+
     /// The curve with every control point mapped by an affine `map` and its parameter scaled by `scale`.
     pub fn mapped<const E: usize>(&self, map: impl Fn([f64; D]) -> [f64; E], scale: f64) -> BSpline<E> {
         BSpline {
@@ -136,5 +152,11 @@ mod tests {
             assert!((a - b).abs() < 1e-3, "{a} {b}");
         }
         assert_eq!(curve.point(0.0), curve.point(5.0));
+        let unrolled = curve.unrolled();
+        assert_eq!((unrolled.domain(), unrolled.knots.len()), (curve.domain(), unrolled.controls.len() + 4));
+        for t in (0..=50).map(|i| 0.1 * f64::from(i)) {
+            let (a, b) = (curve.point(t), unrolled.point(t));
+            assert!((0..3).all(|k| (a[k] - b[k]).abs() < 1e-12), "{a:?} {b:?} at {t}");
+        }
     }
 }

@@ -68,7 +68,7 @@ pub enum NetworkFormat {
     Obj,
     /// Vertices and edges, binary.
     Ply,
-    /// 3D polylines, release 12.
+    /// Lines, arcs, circles and splines, release 2000.
     Dxf,
     /// A drawing in millimetres.
     Svg,
@@ -118,7 +118,7 @@ pub enum PointFormat {
 pub enum PatchFormat {
     /// The schema `lineament-network/2` with loops, sides and surfaces.
     Json,
-    /// The loops as 3D polylines, a layer for each patch.
+    /// The loops as lines, arcs, circles and splines, a layer for each patch.
     Dxf,
     /// The points with the patch of each.
     Points(PointFormat),
@@ -136,7 +136,7 @@ pub enum SectionFormat {
     Obj,
     /// Vertices and edges, binary.
     Ply,
-    /// Lines, arcs, circles and polylines, release 12, a layer for each slice; names of the runs as texts.
+    /// Polylines of lines and arcs, circles and splines, release 2000, a layer for each slice; names of the runs as texts.
     Dxf,
     /// A sheet with all slices side by side, in millimetres.
     Svg,

@@ -49,11 +49,14 @@ pub const FORMATS: &[FileFormat] = &[
         ..named("OBJ", &["obj"])
     },
     FileFormat {
-        network: Some((NetworkFormat::Dxf, "3D polylines and points, a layer for each kind")),
-        patches: Some((PatchFormat::Dxf, "the loops as 3D polylines, a layer for each patch")),
+        network: Some((
+            NetworkFormat::Dxf,
+            "lines, arcs, circles, splines and points, a layer for each kind",
+        )),
+        patches: Some((PatchFormat::Dxf, "the loops as curves, a layer for each patch")),
         section: Some((
             SectionFormat::Dxf,
-            "lines, arcs and circles, a layer for each slice, and the names of features",
+            "contours of lines and arcs, a layer for each slice, and the names of features",
         )),
         ..named("DXF", &["dxf"])
     },

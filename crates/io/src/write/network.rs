@@ -57,7 +57,7 @@ pub fn write_network_to(
         NetworkFormat::Json => json::write(out, network, context),
         NetworkFormat::Obj => obj::write(out, network, context),
         NetworkFormat::Ply => ply::write(out, network, context),
-        NetworkFormat::Dxf => dxf::write(out, network),
+        NetworkFormat::Dxf => dxf::write(out, network, context),
         NetworkFormat::Svg => svg::write(out, network, context),
         NetworkFormat::GeoJson => geojson::write(out, network, context),
         NetworkFormat::GeoPackage => gpkg::write(out, network, context),

@@ -48,7 +48,7 @@ pub fn write_sections_to(
         SectionFormat::Json => json::write(out, sections, context),
         SectionFormat::Obj => obj::write(out, sections),
         SectionFormat::Ply => ply::write(out, sections),
-        SectionFormat::Dxf => dxf::write(out, sections, &context.stack),
+        SectionFormat::Dxf => dxf::write(out, sections, context),
         SectionFormat::Svg => svg::write(out, sections, context.millimetres),
         SectionFormat::GeoJson => geojson::write(out, sections, context.crs.as_deref()),
         SectionFormat::GeoPackage => gpkg::write(out, sections, context),

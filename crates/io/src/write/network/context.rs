@@ -1,5 +1,6 @@
 //! Provenance and settings of a network for its outputs.
 
+use crate::unit::Unit;
 use lineament::patch::Sides;
 use lineament::{Patches, Strip};
 
@@ -30,6 +31,8 @@ pub struct NetworkContext {
     pub view: Option<[f64; 3]>,
     /// Millimetres of a drawing for one unit of the input; `None` fits the drawing to 200 mm.
     pub millimetres: Option<f64>,
+    /// The unit of the coordinates, for the formats that state one; nothing is scaled by it.
+    pub unit: Option<Unit>,
     /// Whether JSON is written in the schema `lineament-network/1`, which knows no typed curves, instead of `/2`.
     pub first_schema: bool,
     /// The patches between the strips, if they were looked for.
@@ -46,6 +49,11 @@ pub struct Parameter {
 }
 
 impl NetworkContext {
+    /// The unit that was given, or that of the reference system where it is known.
+    pub(in crate::write) fn known_unit(&self) -> Option<Unit> {
+        self.unit.or_else(|| Unit::of_reference(self.crs.as_deref()))
+    }
+
     /// What lies beside a strip, where patches were looked for.
     pub(in crate::write) fn sides(&self, strip: usize) -> Option<&Sides> {
         self.patches.as_ref().and_then(|patches| patches.sides.get(strip))

@@ -1,48 +1,57 @@
-//! A network as DXF: a 3D POLYLINE for each strip and a POINT for each node, each on the layer of its kind.
+//! A network as DXF: lines, arcs, circles and splines of each strip, a 3D POLYLINE where it has no typed curves, and a POINT for each
+//! node, each on the layer of its kind.
 
-use crate::write::encode::dxf;
-use lineament::{Network, NodeKind, StripKind};
+use super::context::NetworkContext;
+use crate::write::encode::dxf::{Drawing, Shape};
+use lineament::curve::pieces::{self, Piece};
+use lineament::{Network, NodeKind, Strip, StripKind};
 use std::io::{self, Write};
 
 /// Layers with their colours: strips and nodes by kind.
 const LAYERS: [(&str, u8); 6] =
     [("CREASE", 1), ("BORDER", 5), ("JUNCTION", 3), ("CORNER", 2), ("END", 6), ("APEX", 4)];
 
-/// Writes strips and nodes. Closed strips carry the closed flag and do not repeat their first point.
-pub(super) fn write(out: &mut dyn Write, network: &Network) -> io::Result<()> {
-    dxf::begin(out, extent(network), &LAYERS.map(|(name, colour)| (name.into(), colour)))?;
-    for strip in network.strips.iter().filter(|strip| strip.points.len() > 1) {
-        dxf::polyline(out, strip_layer(strip.kind), &strip.points, strip.closed)?;
-    }
-    for node in &network.nodes {
-        dxf::point(out, node_layer(node.kind), node.position)?;
-    }
-    dxf::end(out)
+/// Writes strips and nodes.
+pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkContext) -> io::Result<()> {
+    let strips = network.strips.iter().flat_map(|s| shapes(s).map(|shape| (strip_layer(s.kind), shape)));
+    let nodes = network.nodes.iter().map(|n| (node_layer(n.kind), Shape::Point(n.position)));
+    let layers = LAYERS.map(|(name, colour)| (name.into(), colour)).to_vec();
+    Drawing { unit: context.known_unit(), layers, entities: strips.chain(nodes).collect() }.write(out)
 }
 
-/// Least and greatest corner of all points; `None` if there are none.
-pub(in crate::write) fn extent(network: &Network) -> Option<[[f64; 3]; 2]> {
-    let points =
-        || network.strips.iter().flat_map(|s| &s.points).chain(network.nodes.iter().map(|n| &n.position));
-    let first = *points().next()?;
-    Some(
-        [f64::min as fn(f64, f64) -> f64, f64::max]
-            .map(|pick| points().fold(first, |a, p| [pick(a[0], p[0]), pick(a[1], p[1]), pick(a[2], p[2])])),
-    )
+fn shapes(strip: &Strip) -> impl Iterator<Item = Shape<'_>> {
+    let untyped = (strip.curves.is_empty() && strip.points.len() > 1)
+        .then(|| Shape::Polyline { points: (&strip.points).into(), closed: strip.closed });
+    strip.curves.iter().map(piece).chain(untyped)
 }
 
-fn strip_layer(kind: StripKind) -> &'static str {
+/// A typed curve as an entity.
+pub(in crate::write) fn piece(piece: &Piece) -> Shape<'_> {
+    let ends = [piece.from, piece.to];
+    match &piece.shape {
+        pieces::Shape::Line => Shape::Line(ends),
+        pieces::Shape::Arc { round, .. } => {
+            Shape::Arc { centre: round.centre, radius: round.radius, normal: round.normal, ends }
+        }
+        pieces::Shape::Circle(round) => {
+            Shape::Circle { centre: round.centre, radius: round.radius, normal: round.normal }
+        }
+        pieces::Shape::Spline(curve) => Shape::Spline(curve),
+    }
+}
+
+fn strip_layer(kind: StripKind) -> usize {
     match kind {
-        StripKind::Crease => "CREASE",
-        StripKind::Border => "BORDER",
+        StripKind::Crease => 0,
+        StripKind::Border => 1,
     }
 }
 
-fn node_layer(kind: NodeKind) -> &'static str {
+fn node_layer(kind: NodeKind) -> usize {
     match kind {
-        NodeKind::Junction => "JUNCTION",
-        NodeKind::Corner => "CORNER",
-        NodeKind::End => "END",
-        NodeKind::Apex => "APEX",
+        NodeKind::Junction => 2,
+        NodeKind::Corner => 3,
+        NodeKind::End => 4,
+        NodeKind::Apex => 5,
     }
 }

@@ -1,5 +1,6 @@
 //! Provenance of sections for their outputs.
 
+use crate::unit::Unit;
 use crate::write::network::context::NetworkContext;
 use lineament::section::Stack;
 
@@ -20,11 +21,18 @@ pub struct SectionContext {
     pub crs_wkt: Option<String>,
     /// Millimetres of a drawing for one unit of the input; `None` fits the sheet to 200 mm.
     pub millimetres: Option<f64>,
+    /// The unit of the coordinates, for the formats that state one; nothing is scaled by it.
+    pub unit: Option<Unit>,
     /// The features of the stack of slices; empty if they were not asked for.
     pub stack: Stack,
 }
 
 impl SectionContext {
+    /// The unit that was given, or that of the reference system where it is known.
+    pub(in crate::write) fn known_unit(&self) -> Option<Unit> {
+        self.unit.or_else(|| Unit::of_reference(self.crs.as_deref()))
+    }
+
     /// The provenance as reports take it.
     pub fn of_page(&self) -> NetworkContext {
         NetworkContext {
@@ -34,6 +42,7 @@ impl SectionContext {
             input_points: self.input_points,
             crs: self.crs.clone(),
             crs_wkt: self.crs_wkt.clone(),
+            unit: self.unit,
             ..NetworkContext::default()
         }
     }

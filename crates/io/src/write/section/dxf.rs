@@ -1,14 +1,12 @@
-//! Sections as DXF for further editing, a layer for each slice: lines, arcs and circles as such where curves were fitted,
-//! splines as 3D polylines, which are the nearest thing that the release has. A text at the middle of each run of the
-//! stack names it, on a layer of its kind.
+//! Sections as DXF for further editing, a layer for each slice. Contours are LWPOLYLINEs in the plane of their slice: of the lines
+//! and arcs that were fitted, or else of the vertices; splines and circles, and lines and arcs by themselves, are entities of their
+//! own. A text at the middle of each run of the stack names it, on a layer of its kind.
 
-use crate::write::encode::dxf;
-use lineament::curve::BSpline;
-use lineament::section::{CurvePiece, CurveShape, Feature, Run, Sections, Stack};
+use super::context::SectionContext;
+use crate::write::encode::dxf::{Bend, Drawing, Layer, Shape};
+use lineament::section::{Contour, CurvePiece, CurveShape, Feature, Run, Sections};
 use std::io::{self, Write};
 
-/// Points of a written spline, for each of its spans.
-const SPAN_POINTS: usize = 8;
 /// Layers of the names of runs.
 const FEATURES: [&str; 4] = ["HOLE", "EXTRUSION", "TAPER", "REVOLUTION"];
 /// Colour of these layers: white, or black on white.
@@ -16,62 +14,77 @@ const WHITE: u8 = 7;
 /// Height of their letters, in spacings.
 const LETTERS: f64 = 4.0;
 
-pub(super) fn write(out: &mut dyn Write, sections: &Sections, stack: &Stack) -> io::Result<()> {
-    let slices = sections.sections.iter().map(|s| (layer(s.plane), (s.plane % 6 + 1) as u8));
-    let layers: Vec<dxf::Layer> = slices.chain(FEATURES.map(|name| (name.into(), WHITE))).collect();
-    dxf::begin(out, None, &layers)?;
+pub(super) fn write(out: &mut dyn Write, sections: &Sections, context: &SectionContext) -> io::Result<()> {
+    let planes = sections.sections.iter().map(|s| s.plane);
+    let slices = planes.map(|plane| (format!("SLICE_{plane:04}"), (plane % 6 + 1) as u8));
+    let layers: Vec<Layer> = slices.chain(FEATURES.map(|name| (name.into(), WHITE))).collect();
     let normal = sections.frame.axes[2];
-    for (plane, contour) in sections.contours() {
-        let layer = layer(plane);
-        if contour.pieces.is_empty() {
-            dxf::polyline(out, &layer, &contour.points, contour.closed)?;
-        }
-        for piece in &contour.pieces {
-            entity(out, &layer, piece, normal)?;
-        }
-    }
-    for run in &stack.runs {
-        named(out, run, LETTERS * sections.spacing, normal)?;
-    }
-    dxf::end(out)
+    let slices = sections.sections.iter().enumerate();
+    let contours = slices.flat_map(|(layer, s)| s.contours.iter().map(move |c| (layer, c)));
+    let curves = contours.flat_map(|(layer, c)| shapes(c, normal).into_iter().map(move |s| (layer, s)));
+    let height = LETTERS * sections.spacing;
+    let first = sections.sections.len();
+    let names = context.stack.runs.iter().map(|run| {
+        let (feature, text) = named(run);
+        (first + feature, Shape::Text { at: run.centre, height, text, normal })
+    });
+    Drawing { unit: context.known_unit(), layers, entities: curves.chain(names).collect() }.write(out)
 }
 
-/// The name of a run, with its radius and range.
-fn named(out: &mut dyn Write, run: &Run, height: f64, normal: [f64; 3]) -> io::Result<()> {
-    let kind = run.feature.name();
-    let layer = if run.hole { "HOLE".into() } else { kind.to_uppercase() };
-    let hole = if run.hole { " hole" } else { "" };
-    let round = match run.feature {
-        Feature::Extrusion { radius: Some(r) } | Feature::Taper { radius: Some(r), .. } => {
-            format!(" r {r:.6}")
-        }
-        Feature::Revolution { least, most } => format!(" r {least:.6} to {most:.6}"),
-        _ => String::new(),
+/// The layer of a run among [`FEATURES`], and its name, with radius and range.
+fn named(run: &Run) -> (usize, String) {
+    let (layer, round) = match run.feature {
+        Feature::Extrusion { radius } => (1, radius.map(|r| format!(" r {r:.6}"))),
+        Feature::Taper { radius, .. } => (2, radius.map(|r| format!(" r {r:.6}"))),
+        Feature::Revolution { least, most } => (3, Some(format!(" r {least:.6} to {most:.6}"))),
     };
-    let text = format!("{kind}{hole}{round} from {:.6} to {:.6}", run.from, run.to);
-    dxf::text(out, &layer, (run.centre, height), &text, normal)
+    let (layer, hole) = if run.hole { (0, " hole") } else { (layer, "") };
+    let (kind, round) = (run.feature.name(), round.unwrap_or_default());
+    (layer, format!("{kind}{hole}{round} from {:.6} to {:.6}", run.from, run.to))
 }
 
-fn layer(plane: usize) -> String {
-    format!("SLICE_{plane:04}")
+/// The entities of a contour.
+fn shapes(contour: &Contour, normal: [f64; 3]) -> Vec<Shape<'_>> {
+    let Contour { pieces, points, closed, .. } = contour;
+    if pieces.is_empty() {
+        let bends = points.iter().map(|&at| Bend { at, sweep: 0.0 }).collect();
+        return vec![Shape::Flat { bends, closed: *closed, normal }];
+    }
+    // A closed contour with splines is gone round from one of them on, so that no run goes over the end of the list.
+    let single = |piece: &CurvePiece| sweep(piece).is_none();
+    let start = if *closed { pieces.iter().position(single).unwrap_or(0) } else { 0 };
+    let ordered: Vec<&CurvePiece> = pieces[start..].iter().chain(&pieces[..start]).collect();
+    let runs = ordered.chunk_by(|a, b| !single(a) && !single(b));
+    let whole = *closed && !pieces.iter().any(single);
+    runs.map(|run| if let [one] = run { piece(one, normal) } else { joined(run, whole, normal) }).collect()
 }
 
-fn entity(out: &mut dyn Write, layer: &str, piece: &CurvePiece, normal: [f64; 3]) -> io::Result<()> {
+/// A run of lines and arcs.
+fn joined<'a>(run: &[&CurvePiece], closed: bool, normal: [f64; 3]) -> Shape<'a> {
+    let bend = |piece: &&CurvePiece| Bend { at: piece.from, sweep: sweep(piece).unwrap_or(0.0) };
+    let mut bends: Vec<Bend> = run.iter().map(bend).collect();
+    bends.extend(run.last().filter(|_| !closed).map(|piece| Bend { at: piece.to, sweep: 0.0 }));
+    Shape::Flat { bends, closed, normal }
+}
+
+/// The angle that a line or an arc sweeps, radians; `None` for other curves.
+fn sweep(piece: &CurvePiece) -> Option<f64> {
+    match piece.shape {
+        CurveShape::Line => Some(0.0),
+        CurveShape::Arc { sweep_deg, .. } => Some(sweep_deg.to_radians()),
+        CurveShape::Circle { .. } | CurveShape::Spline(_) => None,
+    }
+}
+
+fn piece(piece: &CurvePiece, normal: [f64; 3]) -> Shape<'_> {
     match &piece.shape {
-        CurveShape::Line => dxf::line(out, layer, [piece.from, piece.to]),
-        CurveShape::Circle { centre, radius } => dxf::circle(out, layer, (*centre, *radius), normal),
+        CurveShape::Line => Shape::Line([piece.from, piece.to]),
+        CurveShape::Circle { centre, radius } => Shape::Circle { centre: *centre, radius: *radius, normal },
         CurveShape::Arc { centre, radius, sweep_deg } => {
             // An arc runs counter-clockwise: one swept the other way begins at its end.
             let ends = if *sweep_deg < 0.0 { [piece.to, piece.from] } else { [piece.from, piece.to] };
-            dxf::arc(out, layer, (*centre, *radius), ends, normal)
+            Shape::Arc { centre: *centre, radius: *radius, normal, ends }
         }
-        CurveShape::Spline(spline) => dxf::polyline(out, layer, &sampled(spline), false),
+        CurveShape::Spline(spline) => Shape::Spline(spline),
     }
-}
-
-fn sampled(spline: &BSpline) -> Vec<[f64; 3]> {
-    let spans = spline.controls.len().saturating_sub(spline.degree).max(1);
-    let last = spline.knots.last().copied().unwrap_or(0.0);
-    let count = spans * SPAN_POINTS;
-    (0..=count).map(|k| spline.point(last * k as f64 / count as f64)).collect()
 }
