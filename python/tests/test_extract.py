@@ -100,7 +100,7 @@ def test_a_part_of_a_network_is_a_network(found: lineament.Extraction, tmp_path:
         if strip.start is not None:
             assert np.array_equal(strip.points[0], long.nodes[strip.start].position)
     long.write(tmp_path / "long.dxf")
-    assert (tmp_path / "long.dxf").read_text().count("POLYLINE\n") > 0
+    assert (tmp_path / "long.dxf").read_text().count("AcDbLine\n") > 0
 
 
 def test_every_format_is_that_of_the_program(found: lineament.Extraction, tmp_path: Path, program: Any) -> None:

@@ -1,4 +1,5 @@
-// Files of the lines that are left: DXF and CSV as the program writes them, and SVG of the view.
+// Files of the lines that are left: DXF of release 12 with polylines, as a report has no typed curves; CSV as the program writes it; and SVG
+// of the view.
 
 import type { Node, Strip } from "./data";
 import type { State } from "./state";

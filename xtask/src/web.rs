@@ -28,7 +28,7 @@ pub fn test() -> Result<(), String> {
     install()?;
     let folder = root().join("out").join("report");
     std::fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
-    let bracket = ["html", "dxf", "csv"].map(|e| format!("bracket.{e}"));
+    let bracket = ["html", "csv"].map(|e| format!("bracket.{e}"));
     let outputs = bracket.iter().flat_map(|name| ["-o", name.as_str()]);
     succeed(lineament(&folder).args(["extract", "--sample", "bracket"]).args(outputs))?;
     succeed(lineament(&folder).args([

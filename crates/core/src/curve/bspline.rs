@@ -95,20 +95,41 @@ impl<const D: usize> BSpline<D> {
         self.knots[i.rem_euclid(count) as usize] + period * i.div_euclid(count) as f64
     }
 
-    /// The same curve as files have it: with every control point that it uses, and `controls + degree + 1` knots. A periodic curve
-    /// gets its first controls again at its end, and knots beyond both; its domain stays.
-    pub fn unrolled(&self) -> BSpline<D> {
+    /// The same curve in the clamped form, which every program reads: its ends are its first and its last control point, and it has
+    /// `controls + degree + 1` knots.
+    pub fn clamped(&self) -> BSpline<D> {
         if !self.periodic {
             return self.clone();
         }
-        let (count, degree) = (self.controls.len(), self.degree as isize);
-        let control = |i: isize| self.controls[i.rem_euclid(count as isize) as usize];
-        BSpline {
-            degree: self.degree,
-            knots: (-degree..=count as isize + degree).map(|i| self.knot(i)).collect(),
-            controls: (-degree..count as isize).map(control).collect(),
-            periodic: false,
+        let (degree, count) = (self.degree, self.controls.len());
+        let (from, to) = self.domain();
+        let inner = self.knots[1..count].iter().copied();
+        let ends = |t: f64| std::iter::repeat_n(t, degree + 1);
+        let knots: Vec<f64> = ends(from).chain(inner).chain(ends(to)).collect();
+        let control = |j: usize| {
+            // Any stretch of the curve that the control point has influence on.
+            let span = (j.max(degree)..=j + degree).find(|&m| knots[m] < knots[m + 1]).unwrap_or(degree);
+            self.blossom(span as isize - degree as isize, &knots[j + 1..=j + degree])
+        };
+        let controls = (0..count + degree).map(control).collect();
+        BSpline { degree, controls, knots, periodic: false }
+    }
+
+    /// The polar form of the polynomial from knot `span` to the next, one argument for each degree.
+    fn blossom(&self, span: isize, arguments: &[f64]) -> [f64; D] {
+        let (degree, count) = (self.degree as isize, self.controls.len() as isize);
+        let own = |i: isize| self.controls[i.rem_euclid(count) as usize];
+        let mut points: Vec<[f64; D]> = (span - degree..=span).map(own).collect();
+        for (round, &t) in (1..).zip(arguments) {
+            for i in (round..=degree).rev() {
+                let left = self.knot(span - degree + i);
+                let right = self.knot(span + i + 1 - round);
+                let share = if right > left { (t - left) / (right - left) } else { 0.0 };
+                let [a, b] = [i - 1, i].map(|i| points[i as usize]);
+                points[i as usize] = std::array::from_fn(|k| a[k] + share * (b[k] - a[k]));
+            }
         }
+        points[self.degree]
     }
 
     /// The curve with every control point mapped by an affine `map` and its parameter scaled by `scale`.
@@ -152,11 +173,24 @@ mod tests {
             assert!((a - b).abs() < 1e-3, "{a} {b}");
         }
         assert_eq!(curve.point(0.0), curve.point(5.0));
-        let unrolled = curve.unrolled();
-        assert_eq!((unrolled.domain(), unrolled.knots.len()), (curve.domain(), unrolled.controls.len() + 4));
-        for t in (0..=50).map(|i| 0.1 * f64::from(i)) {
-            let (a, b) = (curve.point(t), unrolled.point(t));
-            assert!((0..3).all(|k| (a[k] - b[k]).abs() < 1e-12), "{a:?} {b:?} at {t}");
+    }
+
+    #[test]
+    fn the_clamped_form_of_a_periodic_curve_is_the_same_curve() {
+        let controls: Vec<[f64; 3]> =
+            (0..5).map(|i| [i as f64, (i * i) as f64, 1.0 / (i + 1) as f64]).collect();
+        for (degree, knots) in [1, 2, 3, 3]
+            .into_iter()
+            .zip([[0.0, 1.0, 2.5, 3.0, 4.0, 5.0]; 3].into_iter().chain([[0.0, 1.0, 1.0, 1.5, 4.0, 5.0]]))
+        {
+            let curve = BSpline { degree, knots: knots.to_vec(), controls: controls.clone(), periodic: true };
+            let clamped = curve.clamped();
+            assert_eq!(clamped.knots.len(), clamped.controls.len() + degree + 1);
+            assert_eq!((clamped.domain(), clamped.periodic), (curve.domain(), false));
+            for t in (0..=50).map(|i| 0.1 * f64::from(i)) {
+                let (a, b) = (curve.point(t), clamped.point(t));
+                assert!((0..3).all(|k| (a[k] - b[k]).abs() < 1e-12), "{a:?} {b:?} at {t}, degree {degree}");
+            }
         }
     }
 }

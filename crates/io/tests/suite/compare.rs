@@ -55,6 +55,26 @@ fn written_networks_open_in_other_programs() {
 }
 
 #[test]
+fn curves_are_those_of_json_in_other_programs() {
+    use lineament::section::{Axis, Planes, SectionParams, section};
+    use lineament_io::{SectionContext, write_sections};
+    let folder = tempfile::tempdir().unwrap();
+    let axis = Axis::Vector([1.0, 0.2, 0.3]);
+    let params = SectionParams { axis, planes: Planes::Count(5), fit: true, ..SectionParams::default() };
+    for name in ["box", "bracket", "stepped-shaft", "pipe-cross"] {
+        let cloud = (lineament::shapes::sample(name).unwrap().make)(1).cloud;
+        let network = lineament::extract(&cloud, &Default::default()).unwrap().network;
+        let sections = section(&cloud, &params).unwrap();
+        for extension in ["json", "dxf"] {
+            let path = |suffix: &str| folder.path().join(format!("{name}{suffix}.{extension}"));
+            write_network(&path(""), &[], &network, &Default::default()).unwrap();
+            write_sections(&path(".sections"), &[], &sections, &SectionContext::default()).unwrap();
+        }
+    }
+    script("cad.py", &[folder.path()]);
+}
+
+#[test]
 fn files_written_in_other_programs_read_as_they_were() {
     let Some(reader) = example("positions") else { return };
     script("foreign.py", &[&reader]);

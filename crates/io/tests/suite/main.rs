@@ -6,6 +6,7 @@ mod claims;
 mod common;
 mod compare;
 mod copc;
+mod dxf;
 mod findings;
 mod formats;
 mod gltf;

@@ -82,23 +82,6 @@ fn ply_edges_follow_the_strips() {
 }
 
 #[test]
-fn dxf_has_a_layer_a_kind_and_marks_closed_polylines() {
-    let text = String::from_utf8(written(NetworkFormat::Dxf)).unwrap();
-    let pairs: Vec<(&str, &str)> = {
-        let lines: Vec<&str> = text.lines().collect();
-        lines.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect()
-    };
-    assert_eq!(pairs.last(), Some(&("0", "EOF")));
-    let count = |code, value| pairs.iter().filter(|pair| **pair == (code, value)).count();
-    assert_eq!(
-        (count("0", "POLYLINE"), count("0", "SEQEND"), count("0", "VERTEX"), count("0", "POINT")),
-        (3, 3, 11, 2)
-    );
-    assert_eq!((count("70", "8"), count("70", "9")), (2, 1));
-    assert_eq!((count("8", "BORDER"), count("8", "JUNCTION"), count("8", "END")), (6, 1, 1));
-}
-
-#[test]
 fn the_extension_names_the_format_and_an_unknown_one_is_refused() {
     assert_eq!(network_format(Path::new("a.b/part.DXF")).unwrap(), NetworkFormat::Dxf);
     assert_eq!(network_format(Path::new("-")).unwrap(), NetworkFormat::Json);

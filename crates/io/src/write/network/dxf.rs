@@ -11,6 +11,9 @@ use std::io::{self, Write};
 const LAYERS: [(&str, u8); 6] =
     [("CREASE", 1), ("BORDER", 5), ("JUNCTION", 3), ("CORNER", 2), ("END", 6), ("APEX", 4)];
 
+/// Angle from which on an arc is a whole circle, radians.
+const WHOLE: f64 = std::f64::consts::TAU - 1e-9;
+
 /// Writes strips and nodes.
 pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkContext) -> io::Result<()> {
     let strips = network.strips.iter().flat_map(|s| shapes(s).map(|shape| (strip_layer(s.kind), shape)));
@@ -30,10 +33,11 @@ pub(in crate::write) fn piece(piece: &Piece) -> Shape<'_> {
     let ends = [piece.from, piece.to];
     match &piece.shape {
         pieces::Shape::Line => Shape::Line(ends),
-        pieces::Shape::Arc { round, .. } => {
+        pieces::Shape::Arc { round, sweep } if *sweep < WHOLE => {
             Shape::Arc { centre: round.centre, radius: round.radius, normal: round.normal, ends }
         }
-        pieces::Shape::Circle(round) => {
+        // An arc from a node to the same node: programs would take its equal angles for no arc at all.
+        pieces::Shape::Circle(round) | pieces::Shape::Arc { round, .. } => {
             Shape::Circle { centre: round.centre, radius: round.radius, normal: round.normal }
         }
         pieces::Shape::Spline(curve) => Shape::Spline(curve),

@@ -7,11 +7,10 @@ use super::plane::{angle, bulge, object};
 use lineament::curve::BSpline;
 use std::io;
 
-/// Bits of group 70: of polylines and splines closed, of a POLYLINE in space, of a VERTEX on one; of a SPLINE periodic.
+/// Bits of group 70: of polylines and splines closed, of a POLYLINE in space, of a VERTEX on one.
 const CLOSED: u8 = 1;
 const POLYLINE_3D: u8 = 8;
 const VERTEX_3D: u8 = 32;
-const PERIODIC: u8 = 2;
 /// The code of an extrusion direction.
 const NORMAL: u16 = 210;
 
@@ -135,9 +134,9 @@ fn polyline(
 }
 
 fn spline(out: &mut Groups, curve: &BSpline) -> io::Result<()> {
-    let flags = if curve.periodic { CLOSED | PERIODIC } else { 0 };
-    let curve = curve.unrolled();
-    out.put(70, flags)?;
+    out.put(70, if curve.periodic { CLOSED } else { 0 })?;
+    // Many programs take no knots beyond the ends.
+    let curve = curve.clamped();
     for (code, number) in [(71, curve.degree), (72, curve.knots.len()), (73, curve.controls.len()), (74, 0)] {
         out.put(code, number)?;
     }

@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+"""Curves in CAD's own programs: cad.py FOLDER, which holds NAME.json and NAME.dxf of networks, NAME.sections.json and
+NAME.sections.dxf of sections. Each entity must have the type of its curve and lie within 1e-6 of it, and the drawing must need no
+repair. Prints a row a file; ends with 1 if one is not as it should be."""
+import glob, importlib, json, math, sys
+import numpy as np
+
+NEAR = 1e-6
+
+
+def faults_of(ezdxf, path):
+    """A drawing's entities and what its audit says."""
+    drawing = ezdxf.readfile(path)
+    audit = drawing.audit()
+    return list(drawing.modelspace()), [str(e.message) for e in audit.errors + audit.fixes]
+
+
+def along(curve, count=33):
+    """Points of a typed curve of JSON, of a network or a section, evenly along its parameter."""
+    share = np.linspace(0, 1, count)[:, None]
+    start, end = (np.array(curve[k], float) for k in ("from", "to"))
+    if curve["type"] == "line":
+        return start + share * (end - start)
+    if "knots" in curve:
+        return spline(curve, share[:, 0])
+    centre = np.array(curve.get("center", curve.get("centre")))
+    normal = np.array(curve["normal"])
+    first = np.array(start) - centre
+    if curve["type"] == "circle":  # A network's has no first point on it.
+        first = np.cross(normal, [1, 0, 0] if abs(normal[0]) < 0.9 else [0, 1, 0])
+        first *= curve["radius"] / np.linalg.norm(first)
+    angle = share * math.radians(curve.get("sweep_deg", 360))
+    return centre + np.cos(angle) * first + np.sin(angle) * np.cross(normal, first)
+
+
+def spline(curve, share):
+    degree, knots, controls = curve["degree"], curve["knots"], [np.array(c) for c in curve["controls"]]
+    if curve.get("periodic"):
+        period, count = knots[-1] - knots[0], len(controls)
+        knots = [knots[i % count] + period * (i // count) for i in range(-degree, count + degree + 1)]
+        controls = controls[-degree:] + controls
+    points = []
+    for t in knots[degree] + share * (knots[len(controls)] - knots[degree]):
+        span = max(i for i in range(degree, len(controls)) if knots[i] <= t)
+        at = [controls[i] for i in range(span - degree, span + 1)]
+        for r in range(1, degree + 1):  # De Boor.
+            for i in range(degree, r - 1, -1):
+                left, right = knots[span - degree + i], knots[span + 1 + i - r]
+                a = (t - left) / (right - left)
+                at[i] = (1 - a) * at[i - 1] + a * at[i]
+        points.append(at[degree])
+    return np.array(points)
+
+
+def drawn(ezdxf, entity):
+    """The type of an entity as JSON names it, and points along it."""
+    kind, share = entity.dxftype(), np.linspace(0, 1, 33)
+    if kind == "LINE":
+        a, b = (np.array(p) for p in (entity.dxf.start, entity.dxf.end))
+        return "line", a + share[:, None] * (b - a)
+    if kind in ("ARC", "CIRCLE"):
+        first, last = (0, 360) if kind == "CIRCLE" else (entity.dxf.start_angle, entity.dxf.end_angle)
+        angles = first + share * ((last - first) % 360 or 360)
+        return kind.lower(), np.array([tuple(v) for v in entity.vertices(angles)])
+    if kind == "SPLINE":
+        tool = entity.construction_tool()
+        low, high = entity.knots[entity.dxf.degree], entity.knots[len(entity.control_points)]
+        return "spline", np.array([tuple(v) for v in tool.points(low + share * (high - low))])
+    return kind, np.zeros((1, 3))
+
+
+def apart(points, curve):
+    """Distance of an entity from a typed curve, in either direction; a circle may begin anywhere."""
+    wanted = along(curve)
+    if curve["type"] == "circle":
+        centre, normal = (np.array(curve[k]) for k in ("center", "normal"))
+        aside = (points - centre) @ normal
+        return max(np.abs(aside).max(), np.abs(np.linalg.norm(points - centre, axis=1) - curve["radius"]).max())
+    return min(np.abs(points - wanted).max(), np.abs(points[::-1] - wanted).max())
+
+
+def compare(entities, curves, ezdxf):
+    """How many entities have another type than their curve, and the greatest distance of the others."""
+    wrong, worst = abs(len(entities) - len(curves)), 0.0
+    for entity, curve in zip(entities, curves):
+        kind, points = drawn(ezdxf, entity)
+        if curve.get("sweep_deg") == 360:  # From a node back to it.
+            curve = dict(curve, type="circle")
+        if kind != curve["type"].replace("b-spline", "spline"):
+            wrong += 1
+        else:
+            worst = max(worst, apart(points, curve))
+    return wrong, worst
+
+
+def network(ezdxf, path):
+    entities, faults = faults_of(ezdxf, path)
+    root = json.load(open(path.replace(".dxf", ".json")))
+    curves = [(s, c) for s in root["strips"] for c in s["curves"]]
+    layers = [s["kind"].upper() for s, _ in curves] + [n["kind"].upper() for n in root["nodes"]]
+    lines = entities[: len(entities) - len(root["nodes"])]
+    wrong, worst = compare(lines, [c for _, c in curves], ezdxf)
+    wrong += [e.dxf.layer for e in entities] != layers
+    return not faults and not wrong and worst < NEAR, text(lines, wrong, worst, faults)
+
+
+def sections(ezdxf, path):
+    """Polylines are taken apart to the lines and arcs that they join; those of a contour must follow each other round it."""
+    entities, faults = faults_of(ezdxf, path)
+    root = json.load(open(path.replace(".dxf", ".json")))
+    parts = [e for e in entities if e.dxftype() != "TEXT"]
+    by_layer = {}
+    for part in parts:
+        pieces = list(part.virtual_entities()) if part.dxftype() == "LWPOLYLINE" else [part]
+        by_layer.setdefault(part.dxf.layer, []).extend(pieces)
+    wrong, worst = 0, 0.0
+    for plane in root["planes"]:
+        wanted = [dict(p, normal=root["axes"][2]) for s in root["strips"] if s["plane"] == plane["plane"] for p in s["pieces"]]
+        found = [drawn(ezdxf, e) for e in by_layer.get(f"SLICE_{plane['plane']:04}", [])]
+        wrong += abs(len(found) - len(wanted))
+        for curve in wanted:
+            curve = dict(curve, center=curve.get("centre"))
+            same = [apart(points, curve) for kind, points in found if kind == curve["type"] and len(points) > 1]
+            wrong += not same
+            worst = max([worst] + ([min(same)] if same else []))
+    closed = sum(e.closed for e in parts if e.dxftype() == "LWPOLYLINE")
+    rings = sum(s["closed"] and all(p["type"] in ("line", "arc") for p in s["pieces"]) for s in root["strips"])
+    return not faults and not wrong and worst < NEAR and closed == rings, text(parts, wrong, worst, faults)
+
+
+def text(entities, wrong, worst, faults):
+    kinds = [e.dxftype() for e in entities]
+    counts = ", ".join(f"{kinds.count(k)} {k}" for k in sorted(set(kinds)))
+    return f"{counts}; {wrong} of another type, at most {worst:.1e} apart; audit: {faults or 'clean'}"
+
+
+CHECKS = [("*.dxf", "ezdxf")]
+
+
+def main():
+    good = True
+    for pattern, module in CHECKS:
+        try:
+            module = importlib.import_module(module)
+        except ImportError:
+            print(f"skip {pattern}: {module} is not installed")
+            continue
+        for path in sorted(glob.glob(f"{sys.argv[1]}/{pattern}")):
+            check = sections if ".sections." in path else network
+            ok, row = check(module, path)
+            print(f"{'ok  ' if ok else 'BAD '} {path.split('/')[-1]} in {module.__name__}: {row}")
+            good &= bool(ok)
+    sys.exit(not good)
+
+
+main()
