@@ -28,16 +28,17 @@ def to_pyvista(network: Network) -> Any:
 
 
 def to_trimesh(network: Network) -> Any:
-    from trimesh.path import Path3D
-    from trimesh.path.entities import Line
+    from trimesh.path import Path3D, entities
 
+    # Declared in some versions without types.
+    segment: Any = entities.Line
     lines = [strip.polyline for strip in network]
     first = np.cumsum([0, *map(len, lines)])
-    entities = [
-        Line(np.arange(start, start + len(line)), layer=strip.kind)
+    chains = [
+        segment(np.arange(start, start + len(line)), layer=strip.kind)
         for line, start, strip in zip(lines, first, network, strict=False)
     ]
-    return Path3D(entities, vertices=np.concatenate(lines) if lines else np.empty((0, 3)), process=False)
+    return Path3D(chains, vertices=np.concatenate(lines) if lines else np.empty((0, 3)), process=False)
 
 
 def to_geodataframe(network: Network) -> Any:
@@ -50,9 +51,9 @@ def to_geodataframe(network: Network) -> Any:
 
 
 def to_ezdxf(network: Network) -> Any:
-    import ezdxf
+    from ezdxf.filemanagement import new
 
-    document = ezdxf.new("R2000")
+    document = new("R2000")
     for layer, color in (("CREASE", 1), ("BORDER", 5)):
         document.layers.add(layer, color=color)
     space = document.modelspace()

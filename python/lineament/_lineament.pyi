@@ -5,6 +5,7 @@ from typing import Any, Final, Literal, TypedDict, final, type_check_only
 
 import numpy as np
 import numpy.typing as npt
+from typing_extensions import Self
 
 from lineament._evaluate import Truth
 from lineament._network import Network, Provenance
@@ -335,6 +336,8 @@ class RawExtraction(TypedDict):
 
 @final
 class Found:
+    def __new__(cls, state: bytes) -> Self: ...
+    def __getnewargs__(self) -> tuple[bytes]: ...
     def write(
         self,
         path: str,
@@ -354,12 +357,19 @@ class Found:
 
 @final
 class Cut:
+    def __new__(cls, state: bytes) -> Self: ...
+    def __getnewargs__(self) -> tuple[bytes]: ...
     def write(self, path: str, scan: Scan, provenance: Provenance, millimetres: float | None) -> None: ...
 
 @final
-class Las: ...
+class Las:
+    def __new__(cls, state: bytes) -> Self: ...
+    def __getnewargs__(self) -> tuple[bytes]: ...
+
 @final
-class Typed: ...
+class Typed:
+    def __new__(cls, state: bytes) -> Self: ...
+    def __getnewargs__(self) -> tuple[bytes]: ...
 
 def extract(
     points: npt.NDArray[np.float64],

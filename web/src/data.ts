@@ -34,6 +34,8 @@ export interface Strip {
   right?: number | null;
   convex?: boolean | null;
   count: number;
+  /** What it is the rim of, as the points about it tell. */
+  rim?: "hole" | "boss";
   curves: Curve[];
   /** World frame, x, y, z of each point. */
   points: Float64Array;

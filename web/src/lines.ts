@@ -6,8 +6,12 @@ import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import type { Contour, Strip, Vec } from "./data";
 import { outline } from "./plane";
+import { type Polyline, simplified } from "./simplify";
 import type { State } from "./state";
-import { theme } from "./theme";
+import { confidence, theme } from "./theme";
+
+/** Distance that a line may be drawn beside its points, spacings: a fraction of a pixel from where the points can be told apart. */
+const TOLERANCE = 0.03;
 
 /** A set of polylines of one colour. */
 class Batch {
@@ -33,15 +37,22 @@ class Batch {
     this.object.add(this.back);
   }
 
-  fill(segments: Float32Array, colour: number, seeThrough: boolean): void {
+  /** `colours` has the colour of each end of the segments; without, all have `colour`. */
+  fill(segments: Float32Array, colour: number, seeThrough: boolean, colours: Float32Array | null = null): void {
     this.object.visible = segments.length > 0;
+    const own = colours !== null && segments.length > 0;
     for (const line of [this.front, this.back]) {
       if (!line) continue;
       line.geometry.dispose();
       line.geometry = new LineSegmentsGeometry().setPositions(segments.length ? segments : new Float32Array(6));
+      if (own) line.geometry.setColors(colours);
     }
-    this.material.color.set(colour);
-    this.behind?.color.set(colour);
+    for (const material of [this.material, this.behind]) {
+      if (!material) continue;
+      material.color.set(own ? 0xffffff : colour);
+      if (material.vertexColors !== own) material.needsUpdate = true;
+      material.vertexColors = own;
+    }
     if (this.back) this.back.visible = seeThrough;
   }
 
@@ -52,8 +63,8 @@ class Batch {
 }
 
 /** End points of the segments of polylines, relative to the centre. */
-export function segments(lines: { points: Float64Array; closed: boolean }[], centre: Vec): Float32Array {
-  const parts = (l: { points: Float64Array; closed: boolean }) => Math.max(0, l.points.length / 3 - (l.closed ? 0 : 1));
+export function segments(lines: Polyline[], centre: Vec): Float32Array {
+  const parts = (l: Polyline) => Math.max(0, l.points.length / 3 - (l.closed ? 0 : 1));
   const out = new Float32Array(6 * lines.reduce((sum, line) => sum + parts(line), 0));
   let at = 0;
   for (const line of lines) {
@@ -67,6 +78,18 @@ export function segments(lines: { points: Float64Array; closed: boolean }[], cen
   return out;
 }
 
+/** The colours of the ends of the segments, by the confidence of their lines. */
+function shades(lines: Polyline[], confidences: number[]): Float32Array {
+  const out: number[] = [];
+  for (const [i, line] of lines.entries()) {
+    const c = confidence(confidences[i]);
+    const colour = [((c >> 16) & 255) / 255, ((c >> 8) & 255) / 255, (c & 255) / 255];
+    const ends = 2 * Math.max(0, line.points.length / 3 - (line.closed ? 0 : 1));
+    for (let i = 0; i < ends; i++) out.push(...colour);
+  }
+  return new Float32Array(out);
+}
+
 export class Lines {
   readonly object = new THREE.Group();
   private creases = new Batch(2.6, true, 2);
@@ -75,6 +98,7 @@ export class Lines {
   private marked = new Batch(5.5, true, 4);
   private frame = new Batch(2, true, 2);
   private dots: THREE.Points;
+  private simple = new WeakMap<Polyline, Polyline>();
 
   constructor(private state: State) {
     const round = new THREE.ShaderMaterial({
@@ -92,20 +116,30 @@ export class Lines {
   refresh(): void {
     const { report, layers } = this.state;
     const kept = this.state.kept();
-    const of = (kind: string) => segments(kept.filter((strip) => strip.kind === kind), report.centre);
-    this.creases.fill(of("crease"), theme().crease, layers.hidden);
-    this.borders.fill(of("border"), theme().border, layers.hidden);
-    this.slices.fill(segments(this.state.contours().map(({ contour }) => contour), report.centre), theme().slice, false);
+    for (const [kind, batch] of [["crease", this.creases], ["border", this.borders]] as const) {
+      const strips = kept.filter((strip) => strip.kind === kind);
+      const lines = strips.map((strip) => this.drawn(strip));
+      const colours = this.state.lineColour === "confidence" ? shades(lines, strips.map((strip) => strip.confidence)) : null;
+      batch.fill(segments(lines, report.centre), theme()[kind], layers.hidden, colours);
+    }
+    this.slices.fill(segments(this.state.contours().map(({ contour }) => this.drawn(contour)), report.centre), theme().slice, false);
     const { cut } = this.state;
     this.frame.fill(cut ? segments([{ points: outline(report, cut), closed: true }], report.centre) : new Float32Array(0), 0x8a63d2, true);
     this.nodes(kept);
     this.mark();
   }
 
+  /** A line as it is drawn. */
+  private drawn(line: Polyline): Polyline {
+    let drawn = this.simple.get(line);
+    if (!drawn) this.simple.set(line, (drawn = simplified(line, TOLERANCE * (this.state.report.spacing ?? 0))));
+    return drawn;
+  }
+
   /** The lines under the mouse and picked. */
   mark(): void {
     const { hovered, picked, report } = this.state;
-    const marked: { points: Float64Array; closed: boolean }[] = [];
+    const marked: Polyline[] = [];
     for (const id of [hovered, picked]) if (id !== null && report.strips[id]) marked.push(report.strips[id]);
     marked.push(...this.runContours(), ...this.boundary());
     this.marked.fill(segments(marked, report.centre), theme().picked, true);

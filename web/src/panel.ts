@@ -7,7 +7,8 @@ import { measure, round } from "./measure";
 import { normal, reach } from "./plane";
 import { faces, holeOr } from "./rows";
 import type { Stage } from "./stage";
-import { type Colour, type Layer, type State, figure, kindOf, name, place, uncertain } from "./state";
+import { type Colour, type Layer, type LineColour, type State, direction, figure, kindOf, name, place, uncertain } from "./state";
+import { confidence, css } from "./theme";
 
 export class Panel {
   readonly element = el("aside", { id: "panel", "aria-label": "Controls" });
@@ -57,7 +58,7 @@ export class Panel {
       ["nodes", "Nodes", nodes.length > 0], ["slices", "Slices", sections !== null],
     ];
     const boxes = offered.filter(([, , there]) => there).map(([layer, text]) => this.box(layer, text));
-    return el("div", { class: "layers" }, ...boxes, this.colours());
+    return el("div", { class: "layers" }, ...boxes, this.colours(), this.lineColours());
   }
 
   private box(layer: Layer, text: string): HTMLElement {
@@ -83,12 +84,30 @@ export class Panel {
     return el("label", {}, "Points by ", select);
   }
 
+  private lineColours(): HTMLElement | null {
+    if (!this.state.report.strips.length) return null;
+    const select = el("select", { id: "line-colour" }, el("option", { value: "kind" }, "kind"), el("option", { value: "confidence" }, "confidence"));
+    const shades = el("p", { class: "shades" }, "0 ", el("span", {}), " 1");
+    const show = () => {
+      const steps = Array.from({ length: 9 }, (_, i) => css(confidence(i / 8)));
+      shades.querySelector("span")!.style.background = `linear-gradient(to right, ${steps.join(", ")})`;
+      shades.hidden = this.state.lineColour === "kind";
+    };
+    this.state.listen(show);
+    select.addEventListener("change", () => {
+      this.state.lineColour = select.value as LineColour;
+      this.state.changed();
+    });
+    show();
+    return el("div", {}, el("label", {}, "Lines by ", select), shades);
+  }
+
   private filters(): HTMLElement {
     const { strips } = this.state.report;
     if (!strips.length) return el("p", {});
     const longest = Math.max(...strips.map((strip) => strip.length), 1e-300);
     const shortest = Math.max(Math.min(...strips.map((strip) => strip.length)), longest * 1e-4);
-    const confidence = this.slider("confidence", "Least confidence", (share) => {
+    const least = this.slider("confidence", "Least confidence", (share) => {
       this.state.confidence = share;
       return share.toFixed(2);
     });
@@ -107,7 +126,7 @@ export class Panel {
       return el("label", {}, box, type);
     });
     const only = el("fieldset", { class: "types" }, el("legend", {}, "Only these types"), ...boxes);
-    return el("div", {}, this.count, confidence, length, types.length > 1 ? only : null, this.back);
+    return el("div", {}, this.count, least, length, types.length > 1 ? only : null, this.back);
   }
 
   private slider(id: string, text: string, set: (share: number) => string): HTMLElement {
@@ -189,7 +208,7 @@ export class Panel {
     ];
     if (circle) rows.push(["radius", uncertain(circle.radius, circle.sigma)]);
     if (circle) rows.push(["diameter", uncertain(2 * circle.radius, circle.sigma && 2 * circle.sigma)]);
-    if (circle) rows.push(["centre", place(report, circle.center)]);
+    if (circle) rows.push(["centre", place(report, circle.center)], ["axis", direction(circle.normal)]);
     if (strip.fold_deg !== null) rows.push(["fold", `${strip.fold_deg.toFixed(1)}°${bend(strip.convex)}`]);
     if (strip.left !== undefined) rows.push(["faces", faces(report, strip)]);
     rows.push(["confidence", strip.confidence.toFixed(2)], ["deviation", figure(strip.deviation)]);

@@ -2,7 +2,7 @@
 
 import type { Patch, Report, Strip } from "./data";
 import { round } from "./measure";
-import { type State, figure, kindOf, place, title, uncertain } from "./state";
+import { type State, direction, figure, kindOf, place, title, uncertain } from "./state";
 
 export interface Row {
   id: number;
@@ -33,19 +33,19 @@ export function tables(state: State): Table[] {
 
 function rounded(report: Report, strips: Strip[]): Table {
   const rows = strips.map((strip): Row => {
-    const { radius, sigma, center } = round(strip)!;
+    const { radius, sigma, center, normal } = round(strip)!;
     const doubled = sigma === undefined ? undefined : 2 * sigma;
     return {
       id: strip.id,
       cells: [
         [holeOr(report, strip), holeOr(report, strip)], [uncertain(2 * radius, doubled), radius],
         [uncertain(radius, sigma), radius], [figure(strip.length), strip.length],
-        [degrees(strip.fold_deg), sortable(strip.fold_deg)], [place(report, center), center[0]],
+        [degrees(strip.fold_deg), sortable(strip.fold_deg)], [place(report, center), center[0]], [direction(normal), direction(normal)],
         [strip.confidence.toFixed(2), strip.confidence],
       ],
     };
   });
-  const heads = ["Name", "Diameter", "Radius", "Length", "Fold", "Centre", "Confidence"];
+  const heads = ["Name", "Diameter", "Radius", "Length", "Fold", "Centre", "Axis", "Confidence"];
   return { name: "Circles and arcs", heads, rows, pick: "strip" };
 }
 
@@ -69,7 +69,8 @@ const SAME_RADIUS = 0.1;
 
 /**
  * A circle by what it bounds, where the patches tell. The rim of a hole is a convex edge in an inner loop of the face that it is in, the
- * floor of a blind one a concave edge around its face; of a boss it is the other way round.
+ * floor of a blind one a concave edge around its face; of a boss it is the other way round. Where no patches were looked for, or these
+ * do not tell, the points about it do.
  */
 export function holeOr(report: Report, strip: Strip): string {
   const circle = round(strip);
@@ -78,9 +79,10 @@ export function holeOr(report: Report, strip: Strip): string {
   const face = sides.find((patch) => patch && !walls.includes(patch));
   const loop = face?.loops.find((l) => l.strips.includes(strip.id));
   const whole = strip.closed || (strip.curves[0]?.sweep_deg ?? 0) > MOST_OF_A_TURN;
-  if (walls.length !== 1 || !loop || !whole || typeof strip.convex !== "boolean") return title(strip);
+  const named = strip.rim ? `${strip.rim} ${strip.id}` : title(strip);
+  if (walls.length !== 1 || !loop || !whole || typeof strip.convex !== "boolean") return named;
   // The outer loop of a face of which parts are missing may be any.
-  if (loop.outer && face?.surface.type !== "plane") return title(strip);
+  if (loop.outer && face?.surface.type !== "plane") return named;
   return `${strip.convex !== loop.outer ? "hole" : "boss"} ${strip.id}`;
 }
 

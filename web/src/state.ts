@@ -5,6 +5,7 @@ import type { Cut } from "./plane";
 
 export type Layer = "points" | "clutter" | "creases" | "borders" | "hidden" | "nodes" | "slices";
 export type Colour = "plain" | "class" | "patch" | "height";
+export type LineColour = "kind" | "confidence";
 
 /** What was picked: a line, a point of the scan or a node. */
 export interface Pick {
@@ -18,6 +19,7 @@ export class State {
     points: true, clutter: false, creases: true, borders: true, hidden: true, nodes: true, slices: true,
   };
   colour: Colour = "plain";
+  lineColour: LineColour = "kind";
   confidence = 0;
   length = 0;
   /** Types of curves that lines must hold one of; empty for all. */
@@ -125,4 +127,10 @@ export function uncertain(x: number | null | undefined, sigma: number | null | u
 export function place(report: Report, p: number[]): string {
   const digits = report.spacing ? Math.max(0, Math.min(9, 2 - Math.floor(Math.log10(report.spacing)))) : 4;
   return p.map((x) => (Math.abs(x) < 0.5 * 10 ** -digits ? 0 : x).toFixed(digits)).join(", ");
+}
+
+/** A direction without sense: its greatest component is positive. */
+export function direction(v: number[]): string {
+  const most = v.reduce((best, x) => (Math.abs(x) > Math.abs(best) + 1e-9 ? x : best), 0);
+  return v.map((x) => (most < 0 ? -x : x)).map((x) => (Math.abs(x) < 5e-4 ? 0 : x).toFixed(3)).join(", ");
 }

@@ -8,6 +8,7 @@ pub(crate) use trace::{Trace, trace};
 
 /// A feature network: strips that run from node to node, and closed strips without any.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Network {
     /// The points where strips meet or end.
     pub nodes: Vec<Node>,
@@ -17,6 +18,7 @@ pub struct Network {
 
 /// A point where strips meet or end.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Node {
     /// World frame in an `Extraction`, local frame before.
     pub position: [f64; 3],
@@ -30,6 +32,7 @@ pub struct Node {
 
 /// The kind of a [`Node`], by the strips that meet in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum NodeKind {
     /// Three strips or more.
     Junction,

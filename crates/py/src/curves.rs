@@ -4,9 +4,11 @@ use lineament::curve::pieces::{Piece, Shape, Sigma};
 use lineament::curve::{BSpline, Round};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 use crate::arrays::{rows, table, triple};
 use crate::fault::Fault;
+use crate::state;
 
 /// A B-spline as a dictionary.
 #[derive(IntoPyObject)]
@@ -57,6 +59,19 @@ impl CurveIn<'_> {
 /// A typed curve, kept for outputs: its numbers come back to the bit.
 #[pyclass(frozen, module = "lineament._lineament")]
 pub struct Typed(Piece);
+
+#[pymethods]
+impl Typed {
+    /// For copies and pickles.
+    #[new]
+    fn new(state: &[u8]) -> PyResult<Self> {
+        Ok(Self(state::value(state)?))
+    }
+
+    fn __getnewargs__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyBytes>,)> {
+        state::bytes(py, &self.0)
+    }
+}
 
 /// A typed curve as a dictionary.
 #[derive(IntoPyObject)]

@@ -7,6 +7,8 @@ use lineament::{Attribute, Column, Extraction, Network, Patches, extract_observe
 use lineament_io::{NetworkContext, PointTable, Report, write_network, write_patches};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use serde::{Deserialize, Serialize};
 
 use crate::fault::Fault;
 use crate::network::{self, NetworkOut};
@@ -16,10 +18,12 @@ use crate::report::page::is_page;
 use crate::report::{self, ReportOut};
 use crate::scan::ScanIn;
 use crate::settings::{self, Setting};
+use crate::state;
 use crate::work::{Observe, on_rows};
 
 /// What of an extraction is kept for its outputs.
 #[pyclass(frozen, module = "lineament._lineament")]
+#[derive(Serialize, Deserialize)]
 pub struct Found {
     network: Network,
     patches: Option<Patches>,
@@ -129,6 +133,16 @@ impl Found {
 
 #[pymethods]
 impl Found {
+    /// For copies and pickles.
+    #[new]
+    fn new(state: &[u8]) -> PyResult<Self> {
+        Ok(state::value(state)?)
+    }
+
+    fn __getnewargs__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyBytes>,)> {
+        state::bytes(py, self)
+    }
+
     /// Writes the network to a file, in the format of its extension. A report shows the points of `scan` with their `marks`;
     /// `drawing` is the view of a drawing and its millimetres for one unit.
     fn write(

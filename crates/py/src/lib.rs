@@ -19,6 +19,7 @@ mod samples;
 mod scan;
 mod sections;
 mod settings;
+mod state;
 mod work;
 
 /// Functions of the package `lineament`, which alone calls them.

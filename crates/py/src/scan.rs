@@ -7,11 +7,13 @@ use lineament::mesh::MeshPoints;
 use lineament_io::{Format, LasFrame, Missing, NetworkContext, ReadOptions, Returns, read as read_file};
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 use crate::arrays::attributes::{self, Named};
 use crate::arrays::{rows, table};
 use crate::fault::Fault;
 use crate::report::page::Scanned;
+use crate::state;
 use crate::work::alone;
 
 /// Formats in which y points up.
@@ -20,6 +22,19 @@ const Y_UP: [&str; 2] = ["glTF", "GLB"];
 /// How a LAS or LAZ file stored its coordinates, for outputs that are to be like it.
 #[pyclass(frozen, module = "lineament._lineament")]
 pub struct Las(pub LasFrame);
+
+#[pymethods]
+impl Las {
+    /// For copies and pickles.
+    #[new]
+    fn new(state: &[u8]) -> PyResult<Self> {
+        Ok(Self(state::value(state)?))
+    }
+
+    fn __getnewargs__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyBytes>,)> {
+        state::bytes(py, &self.0)
+    }
+}
 
 /// A scan as Python's object holds it.
 #[derive(FromPyObject)]

@@ -9,6 +9,8 @@ use lineament::section::{Contour, CurvePiece, CurveShape, Section, Sections, Sta
 use lineament_io::{Report, SectionContext, write_sections};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use serde::{Deserialize, Serialize};
 
 use crate::arrays::{table, triple};
 use crate::curves::{CurveOut, curve};
@@ -17,11 +19,13 @@ use crate::provenance::Provenance;
 use crate::report::page::is_page;
 use crate::scan::ScanIn;
 use crate::settings::{self, Setting};
+use crate::state;
 use crate::work::{Observe, on_rows};
 use stack::StackOut;
 
 /// What of the sections is kept for their outputs.
 #[pyclass(frozen, module = "lineament._lineament")]
+#[derive(Serialize, Deserialize)]
 pub struct Cut {
     sections: Sections,
     stack: Stack,
@@ -163,6 +167,16 @@ fn piece<'py>(py: Python<'py>, piece: &CurvePiece) -> PyResult<PieceOut<'py>> {
 
 #[pymethods]
 impl Cut {
+    /// For copies and pickles.
+    #[new]
+    fn new(state: &[u8]) -> PyResult<Self> {
+        Ok(state::value(state)?)
+    }
+
+    fn __getnewargs__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyBytes>,)> {
+        state::bytes(py, self)
+    }
+
     /// Writes the sections to a file, in the format of its extension. A report shows the points of `scan` too.
     fn write(
         &self,

@@ -2,6 +2,14 @@
 
 /// A B-spline curve in space, or in `D` dimensions, clamped or periodic, of degree 1 to 3.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "[f64; D]: serde::Serialize",
+        deserialize = "[f64; D]: serde::Deserialize<'de>"
+    ))
+)]
 pub struct BSpline<const D: usize = 3> {
     /// Polynomial degree; 3 unless the strip is too short for it.
     pub degree: usize,

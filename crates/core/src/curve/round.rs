@@ -6,6 +6,7 @@ use crate::math::vec3::{add_scaled, cross, distance, dot, norm, perpendicular, s
 
 /// A circle in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Round {
     /// Its centre.
     pub centre: [f64; 3],

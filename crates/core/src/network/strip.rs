@@ -6,6 +6,7 @@ use crate::math::vec3::distance;
 
 /// One feature line.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Strip {
     /// Crease or border.
     pub kind: StripKind,
@@ -35,6 +36,7 @@ pub struct Strip {
 
 /// The kind of a strip: crease or border.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum StripKind {
     /// Two faces meet.
     Crease,

@@ -38,6 +38,7 @@ pub enum Planes {
 
 /// The place on the axis that positions of slices are counted from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Zero {
     /// The origin of the input.
     Origin,

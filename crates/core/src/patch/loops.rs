@@ -10,6 +10,7 @@ use crate::network::{Network, Strip};
 
 /// A strip as part of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Coedge {
     /// The strip.
     pub strip: u32,
@@ -19,6 +20,7 @@ pub struct Coedge {
 
 /// A boundary loop of a patch, which lies to its left as seen from outside.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Loop {
     /// The strips in order.
     pub coedges: Vec<Coedge>,

@@ -8,6 +8,7 @@ use crate::frame::Frame;
 
 /// The patches of a cloud and their adjacency.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Patches {
     /// `(M)` patch of each point, [`NO_PATCH`](super::NO_PATCH) for none; canonical order. [`Extraction::patch_labels`] has them
     /// in the order of the input.
@@ -22,6 +23,7 @@ pub struct Patches {
 
 /// A smooth region of the surface.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Patch {
     /// Its boundary: the outer loop first, then the holes. Empty for a surface without boundary, such as a whole sphere.
     pub loops: Vec<Loop>,

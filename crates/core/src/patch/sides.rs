@@ -9,6 +9,7 @@ use crate::network::{Network, StripKind};
 
 /// The patches beside a strip and how they meet.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sides {
     /// The patch on the left when walking along the strip on the outside of the surface; `None` if the surface ends there.
     pub left: Option<u32>,

@@ -8,6 +8,7 @@ const LEVEL: f64 = 1e-3;
 
 /// A right-handed frame whose third axis points across the slices.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SliceFrame {
     /// Unit vectors in the world: two in the plane, then the axis.
     pub axes: [[f64; 3]; 3],

@@ -14,6 +14,7 @@ pub(crate) const FEWEST_POINTS: usize = 4;
 
 /// All sections of a cloud.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sections {
     /// Directions of the slices in the world.
     pub frame: SliceFrame,
@@ -37,6 +38,7 @@ pub struct Sections {
 
 /// The curves in one plane.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Section {
     /// Index of the plane.
     pub plane: usize,
@@ -55,6 +57,7 @@ pub struct Section {
 
 /// Why a section has no curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Missing {
     /// No point lies in the slab.
     Empty,
@@ -67,6 +70,7 @@ pub enum Missing {
 
 /// One curve of a section.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Contour {
     /// `(M, 3)` f64, world frame, in order; the first is not repeated at the end of a closed contour. Outer contours
     /// run counter-clockwise seen against the axis, holes clockwise.
@@ -96,6 +100,7 @@ pub struct Contour {
 
 /// One curve of a contour.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CurvePiece {
     /// Its kind with its parameters.
     pub shape: CurveShape,
@@ -109,6 +114,7 @@ pub struct CurvePiece {
 
 /// Kinds of curves.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum CurveShape {
     /// Straight from end to end.
     Line,

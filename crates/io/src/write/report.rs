@@ -9,6 +9,7 @@ mod page;
 mod patches;
 mod picture;
 mod points;
+mod rims;
 mod slices;
 #[cfg(test)]
 mod tests;

@@ -2,7 +2,7 @@
 
 use super::picture::{Colour, Picture};
 use super::scene::Scene;
-use super::style::{node_colour, strip_colour};
+use super::style::{SLICE_COLOUR, node_colour, strip_colour};
 use crate::network::{Network, NodeKind, StripKind};
 
 const TEXT: Colour = [0.25, 0.27, 0.30];
@@ -32,6 +32,10 @@ fn entries(scene: &Scene) -> Vec<(String, Option<Colour>)> {
             entries.push((counted(count, kind.name()), Some(strip_colour(kind))));
         }
         entries.extend(node_entries(network));
+    }
+    let planes = scene.slices.chunk_by(|a, b| a.plane == b.plane).count();
+    if planes > 0 {
+        entries.push((counted(planes, "slice"), Some(SLICE_COLOUR)));
     }
     entries
 }
@@ -93,6 +97,7 @@ fn glyph(letter: char) -> [u8; 9] {
         'e' => [0, 0, 0b01110, 0b10001, 0b11111, 0b10000, 0b01110, 0, 0],
         'i' => [0b00100, 0, 0b01100, 0b00100, 0b00100, 0b00100, 0b01110, 0, 0],
         'j' => [0b00010, 0, 0b00110, 0b00010, 0b00010, 0b00010, 0b00010, 0b10010, 0b01100],
+        'l' => [0b01100, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100, 0b01110, 0, 0],
         'n' => [0, 0, 0b11110, 0b10001, 0b10001, 0b10001, 0b10001, 0, 0],
         'o' => [0, 0, 0b01110, 0b10001, 0b10001, 0b10001, 0b01110, 0, 0],
         'p' => [0, 0, 0b11110, 0b10001, 0b10001, 0b10001, 0b11110, 0b10000, 0b10000],
@@ -111,7 +116,17 @@ mod tests {
 
     #[test]
     fn every_letter_of_a_caption_has_a_glyph() {
-        let words = ["points", "creases", "borders", "junctions", "corners", "ends", "apices", "0123456789"];
+        let words = [
+            "points",
+            "creases",
+            "borders",
+            "junctions",
+            "corners",
+            "ends",
+            "apices",
+            "slices",
+            "0123456789",
+        ];
         for letter in words.concat().chars() {
             assert_ne!(glyph(letter), [0; 9], "{letter}");
         }

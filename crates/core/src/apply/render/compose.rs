@@ -5,6 +5,7 @@ use super::depth_buffer::DepthBuffer;
 use super::hidden::{is_visible, stretches};
 use super::picture::{Picture, WHITE};
 use super::scene::{Scene, Settings};
+use super::slices::{self, Page};
 use super::stroke::Mask;
 use super::style::{LINE_BIAS, node_colour, strip_colour};
 use super::{best, caption, tone};
@@ -31,8 +32,10 @@ pub fn render(scene: &Scene, settings: &Settings) -> Result<Picture, Error> {
     let spacing = (scene.spacing * camera.scale) as f32;
     let fine = tone::shaded(&projected, &surface, spacing);
     let mut picture = tone::averaged(&fine, settings.width, settings.height, FINE);
+    let pen = (settings.width.min(settings.height) as f32 / 420.0).clamp(1.5, 8.0);
+    let page = Page { camera: &camera, surface: &surface, fine: FINE, bias: bias(spacing) };
+    slices::draw(scene.slices, &page, pen, &mut picture);
     if let Some(network) = scene.network {
-        let pen = (settings.width.min(settings.height) as f32 / 420.0).clamp(1.5, 8.0);
         draw_strips(network, &camera, &surface, spacing, pen, &mut picture);
         draw_nodes(network, &camera, &surface, spacing, pen, &mut picture);
     }
@@ -50,13 +53,14 @@ fn aim(scene: &Scene, settings: &Settings) -> Camera {
     };
     let [width, height] = [settings.width, settings.height].map(|side| (side * FINE) as f64);
     let strips = scene.network.into_iter().flat_map(|n| n.strips.iter().flat_map(|s| s.points.iter()));
-    let all = scene.surfels.iter().map(|s| s.position).chain(strips.copied());
+    let lines = strips.chain(scene.slices.iter().flat_map(|slice| slice.points));
+    let all = scene.surfels.iter().map(|s| s.position).chain(lines.copied());
     let finite = all.filter(|p| p.iter().all(|x| x.is_finite()));
     Camera::looking(from, settings.up).fitted(finite, width, height, 0.05 * width.min(height))
 }
 
-/// A strip's line on the fine grid, closed if the strip is.
-fn projected_line(points: &[[f64; 3]], closed: bool, camera: &Camera) -> Vec<[f32; 3]> {
+/// A line on the fine grid, closed if it is.
+pub(super) fn projected_line(points: &[[f64; 3]], closed: bool, camera: &Camera) -> Vec<[f32; 3]> {
     let closing = points.first().filter(|_| closed);
     points.iter().chain(closing).map(|&p| camera.project(p)).collect()
 }

@@ -16,9 +16,22 @@ pub struct Scene<'a> {
     pub surfels: &'a [Surfel],
     /// The lines to draw over them, world frame, if any.
     pub network: Option<&'a Network>,
+    /// The outlines of its sections to draw over them, world frame, if any.
+    pub slices: &'a [Slice<'a>],
     /// Mean distance of neighbouring points, in the unit of the points. Lines up to 2.5 spacings below the surface
     /// still count as visible.
     pub spacing: f64,
+}
+
+/// The outline of a section.
+#[derive(Clone, Copy, Debug)]
+pub struct Slice<'a> {
+    /// The number of its plane.
+    pub plane: usize,
+    /// Its points in order, world frame.
+    pub points: &'a [[f64; 3]],
+    /// Whether the last point is joined to the first.
+    pub closed: bool,
 }
 
 /// The settings of a picture.
@@ -43,7 +56,7 @@ impl Scene<'_> {
     /// Checks that the lines lie near the points.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for a network with a point farther from the points than ten thousand of their extents.
+    /// [`Error::Parameter`] for a network or slices with a point farther from the points than ten thousand of their extents.
     pub fn check(&self) -> Result<(), Error> {
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for surfel in self.surfels {
@@ -54,10 +67,11 @@ impl Scene<'_> {
         }
         let reach = FAR * (0..3).map(|a| high[a] - low[a]).fold(self.spacing, f64::max);
         let far = |p: &&[f64; 3]| !(0..3).all(|a| low[a] - reach <= p[a] && p[a] <= high[a] + reach);
-        let mut points = self.network.into_iter().flat_map(|network| {
+        let lines = self.network.into_iter().flat_map(|network| {
             let strips = network.strips.iter().flat_map(|strip| &strip.points);
             strips.chain(network.nodes.iter().map(|node| &node.position))
         });
+        let mut points = lines.chain(self.slices.iter().flat_map(|slice| slice.points));
         match points.find(far) {
             Some(point) if !self.surfels.is_empty() => Err(Error::Parameter {
                 key: "network".into(),

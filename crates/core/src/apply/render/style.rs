@@ -14,6 +14,9 @@ pub(super) fn strip_colour(kind: StripKind) -> Colour {
     }
 }
 
+/// The colour of the outlines of sections.
+pub(super) const SLICE_COLOUR: Colour = [0.10, 0.50, 0.29];
+
 /// The colour of a kind of node.
 pub(super) fn node_colour(kind: NodeKind) -> Colour {
     match kind {

@@ -5,6 +5,7 @@ use crate::math::vec3::{add_scaled, distance2, dot, sub};
 
 /// One curve of a row of points.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Piece {
     /// Its kind with its parameters.
     pub shape: Shape,
@@ -24,6 +25,7 @@ pub struct Piece {
 
 /// Kinds of curves.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Shape {
     /// Straight from end to end.
     Line,
@@ -54,6 +56,7 @@ impl Shape {
 
 /// Standard deviations of a piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Sigma {
     /// Of a line.
     Line {

@@ -5,6 +5,7 @@ use crate::math::vec3::{add_scaled, dot, norm, scale, sub, unit};
 
 /// A surface without bounds. Axes are unit vectors; lengths and places are in the frame of the patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Surface {
     /// `normal . x = normal . point`.
     Plane {
@@ -53,6 +54,7 @@ pub enum Surface {
 
 /// A surface fitted to a patch, with its residual.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Fit {
     /// The best surface.
     pub surface: Surface,

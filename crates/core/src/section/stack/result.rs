@@ -2,6 +2,7 @@
 
 /// The features of a stack of slices.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stack {
     /// Runs of like contours, by height, then by contour.
     pub runs: Vec<Run>,
@@ -13,6 +14,7 @@ pub struct Stack {
 
 /// A run of like contours through neighbouring slices.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Run {
     /// The kind of the run, with its measures.
     pub feature: Feature,
@@ -34,6 +36,7 @@ pub struct Run {
 
 /// The kinds of runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Feature {
     /// The same outline throughout.
     Extrusion {
@@ -60,6 +63,7 @@ pub enum Feature {
 
 /// A mirror plane that holds the slices' axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Mirror {
     /// A point of the plane, world frame.
     pub point: [f64; 3],
@@ -73,6 +77,7 @@ pub struct Mirror {
 
 /// Runs of one outline at several places.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Repeat {
     /// Indices of the runs.
     pub runs: Vec<usize>,

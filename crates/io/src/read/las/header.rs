@@ -3,6 +3,7 @@
 use crate::columns::{Endian, Number};
 use crate::error::{Error, Place};
 use crate::source::Source;
+use serde::{Deserialize, Serialize};
 
 /// The fields of the header that concern points.
 #[derive(Debug)]
@@ -25,7 +26,7 @@ pub(super) struct Header {
 }
 
 /// Storage of the coordinates of a LAS input, and its reference system: all that an output needs to match its input.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct LasFrame {
     /// The version, 1.0 to 1.4, behind its point.
     pub minor: u8,
@@ -40,7 +41,7 @@ pub struct LasFrame {
 }
 
 /// A variable length record.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Record {
     /// Who defined it, such as `LASF_Projection`.
     pub user: String,

@@ -1,8 +1,9 @@
 //! The data of a report but for its points, in the schema `lineament-report/1`.
 
-use super::{Report, lines, patches, slices};
+use super::{Report, lines, patches, rims, slices};
 use crate::write::encode::json::{Head, Number, Point, Text, Value, list};
 use crate::write::network::context::Parameter;
+use lineament::Class;
 use std::io::{self, Write};
 
 /// The members of the object up to the points, which `points::write` appends together with the closing brace.
@@ -30,7 +31,7 @@ pub(super) fn lines(report: &Report) -> io::Result<Vec<u8>> {
     }
     writeln!(out, "\"up\": {},", Point(&report.up))?;
     if let Some(network) = report.network {
-        lines::write(out, network, context)?;
+        lines::write(out, network, context, &rims::rims(&network.strips, &surface(report), spacing(report)))?;
     }
     if let Some(found) = &context.patches {
         patches::write(out, found)?;
@@ -45,4 +46,13 @@ pub(super) fn lines(report: &Report) -> io::Result<Vec<u8>> {
 fn spacing(report: &Report) -> f64 {
     let given = Some(report.context.spacing).filter(|&s| s > 0.0);
     given.or(report.sections.map(|(sections, _)| sections.spacing)).unwrap_or(f64::NAN)
+}
+
+/// The points on surfaces.
+fn surface(report: &Report) -> Vec<[f64; 3]> {
+    let Some(cloud) = report.cloud else { return Vec::new() };
+    let clutter = |i: usize| report.classes.get(i) == Some(&(Class::Clutter as u8));
+    let kept =
+        cloud.positions.iter().enumerate().filter(|(i, p)| !clutter(*i) && p.iter().all(|x| x.is_finite()));
+    kept.map(|(_, p)| *p).collect()
 }

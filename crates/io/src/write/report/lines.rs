@@ -1,5 +1,6 @@
 //! Nodes and strips of a report.
 
+use super::rims::Rim;
 use crate::write::encode::json::{Index, Number, Point, lines, list};
 use crate::write::network::context::{NetworkContext, fold_deg};
 use base64::prelude::{BASE64_STANDARD, Engine};
@@ -12,7 +13,13 @@ use std::io::{self, Write};
 /// Most points of all strips together that are written; of longer networks every second, third ... point is.
 const MOST: usize = 150_000;
 
-pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkContext) -> io::Result<()> {
+/// `rims` says of each strip what it is the rim of.
+pub(super) fn write(
+    out: &mut dyn Write,
+    network: &Network,
+    context: &NetworkContext,
+    rims: &[Option<Rim>],
+) -> io::Result<()> {
     let step = step(network.strips.iter().map(|s| s.points.len()).sum(), MOST);
     write!(out, "\"nodes\": [")?;
     lines(out, &network.nodes, |out, _, node| {
@@ -23,7 +30,11 @@ pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkCon
     writeln!(out, "],\n\"step\": {step},")?;
     write!(out, "\"strips\": [")?;
     lines(out, &network.strips, |out, id, s| {
-        strip(out, s, context.sides(id), thinned(&s.points, step).count())
+        strip(out, s, context.sides(id), thinned(&s.points, step).count())?;
+        if let Some(rim) = rims[id] {
+            write!(out, ", \"rim\": \"{}\"", rim.name())?;
+        }
+        write!(out, "}}")
     })?;
     write!(out, "],\n\"coordinates\": \"")?;
     let all = network.strips.iter().flat_map(|s| thinned(&s.points, step));
@@ -43,6 +54,7 @@ pub(super) fn thinned(points: &[[f64; 3]], step: usize) -> impl Iterator<Item = 
     points.iter().enumerate().filter(move |(i, _)| i % step == 0 || *i == last).map(|(_, p)| *p)
 }
 
+/// A strip without its closing brace.
 fn strip(out: &mut dyn Write, strip: &Strip, sides: Option<&Sides>, count: usize) -> io::Result<()> {
     write!(out, "{{\"kind\": \"{}\", \"closed\": {}, ", strip.kind.name(), strip.closed)?;
     write!(out, "\"start\": {}, \"end\": {}, ", Index(strip.start), Index(strip.end))?;
@@ -57,7 +69,7 @@ fn strip(out: &mut dyn Write, strip: &Strip, sides: Option<&Sides>, count: usize
     }
     write!(out, "\"count\": {count}, \"curves\": [")?;
     list(out, &strip.curves, |out, _, p| piece(out, p))?;
-    write!(out, "]}}")
+    write!(out, "]")
 }
 
 /// Type, ends, radius with its standard deviation, and the deviation of the points.
