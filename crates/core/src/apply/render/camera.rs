@@ -99,6 +99,12 @@ impl Camera {
         [(self.middle[0] + x) as f32, (self.middle[1] - y) as f32, z as f32]
     }
 
+    /// A line on the picture, closed if it is.
+    pub fn line(&self, points: &[[f64; 3]], closed: bool) -> Vec<[f32; 3]> {
+        let closing = points.first().filter(|_| closed);
+        points.iter().chain(closing).map(|&p| self.project(p)).collect()
+    }
+
     /// The world directions of right, up and towards the eye.
     pub fn axes(&self) -> [[f64; 3]; 3] {
         self.axes

@@ -59,12 +59,6 @@ fn aim(scene: &Scene, settings: &Settings) -> Camera {
     Camera::looking(from, settings.up).fitted(finite, width, height, 0.05 * width.min(height))
 }
 
-/// A line on the fine grid, closed if it is.
-pub(super) fn projected_line(points: &[[f64; 3]], closed: bool, camera: &Camera) -> Vec<[f32; 3]> {
-    let closing = points.first().filter(|_| closed);
-    points.iter().chain(closing).map(|&p| camera.project(p)).collect()
-}
-
 /// Greatest depth behind the surface at which a line still counts as visible, pixels of the fine grid.
 fn bias(spacing: f32) -> f32 {
     LINE_BIAS as f32 * spacing + 2.0
@@ -83,7 +77,7 @@ fn draw_strips(
     let mut layers = [StripKind::Border, StripKind::Crease].map(|kind| (kind, mask(), mask()));
     let bias = bias(spacing);
     for strip in &network.strips {
-        let line = projected_line(&strip.points, strip.closed, camera);
+        let line = camera.line(&strip.points, strip.closed);
         for stretch in stretches(&line, surface, bias) {
             let points: Vec<[f32; 2]> = stretch.points.iter().map(|p| p.map(|x| x / FINE as f32)).collect();
             let Some((_, hidden, visible)) = layers.iter_mut().find(|l| l.0 == strip.kind) else { continue };

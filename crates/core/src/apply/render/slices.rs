@@ -2,7 +2,6 @@
 //! picture has room for.
 
 use super::camera::Camera;
-use super::compose::projected_line;
 use super::depth_buffer::DepthBuffer;
 use super::hidden::stretches;
 use super::picture::Picture;
@@ -29,7 +28,7 @@ pub(super) struct Page<'a> {
 pub(super) fn draw(slices: &[Slice], page: &Page, pen: f32, picture: &mut Picture) {
     let mut mask = Mask::new(picture.width, picture.height);
     for slice in slices {
-        let line = projected_line(slice.points, slice.closed, page.camera);
+        let line = page.camera.line(slice.points, slice.closed);
         for stretch in stretches(&line, page.surface, page.bias).iter().filter(|s| s.visible) {
             let points: Vec<[f32; 2]> =
                 stretch.points.iter().map(|p| p.map(|x| x / page.fine as f32)).collect();
@@ -58,17 +57,15 @@ mod tests {
         let (low, high) = surfels.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), s| {
             (low.min(s.position[2]), high.max(s.position[2]))
         });
+        let drawn = |slices: &[Slice]| {
+            render(&Scene { surfels: &surfels, network: None, slices, spacing }, &settings).unwrap().rgb
+        };
+        let bare = drawn(&[]);
         let green = |z: f64| {
-            let points = [0.3, 0.7].map(|x| [x, 0.5, z]);
-            let slices = [Slice { plane: 0, points: &points, closed: false }];
-            let picture =
-                render(&Scene { surfels: &surfels, network: None, slices: &slices, spacing }, &settings)
-                    .unwrap();
-            picture
-                .rgb
-                .chunks_exact(3)
-                .filter(|p| p[1] > p[0].saturating_add(40) && p[1] > p[2].saturating_add(15))
-                .count()
+            let points = [-0.2, 0.2].map(|x| [x, 0.1, z]);
+            let rgb = drawn(&[Slice { plane: 0, points: &points, closed: false }]);
+            let pixels = rgb.chunks_exact(3).zip(bare.chunks_exact(3));
+            pixels.filter(|(p, bare)| p != bare && p[1] > p[0].saturating_add(10)).count()
         };
         assert!(green(high) > 40, "{}", green(high));
         assert_eq!(green(low), 0);
