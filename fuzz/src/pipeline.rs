@@ -11,11 +11,12 @@ use std::io::Cursor;
 /// Points that are taken of an input: enough for lines, few enough for many runs a second.
 const MOST: usize = 400;
 
-const NETWORKS: [NetworkFormat; 10] = [
+const NETWORKS: [NetworkFormat; 11] = [
     NetworkFormat::Json,
     NetworkFormat::Obj,
     NetworkFormat::Ply,
     NetworkFormat::Dxf,
+    NetworkFormat::Step,
     NetworkFormat::Svg,
     NetworkFormat::GeoJson,
     NetworkFormat::GeoPackage,

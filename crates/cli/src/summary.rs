@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use lineament::{Extraction, Network, NodeKind, Report, StripKind};
+use lineament_io::{NetworkContext, NetworkFormat, network_format};
 
 use crate::source::Input;
 
@@ -76,6 +77,13 @@ pub fn unplaced(input: &Input, outputs: &[PathBuf]) -> Option<String> {
         None => "the input states none".into(),
     };
     Some(format!("warning: {} has no coordinate reference system: {why}", output.display()))
+}
+
+/// A warning where STEP states a unit that nobody told.
+pub fn unmeasured(context: &NetworkContext, outputs: &[PathBuf]) -> Option<String> {
+    let step = |path: &&PathBuf| network_format(path).is_ok_and(|format| format == NetworkFormat::Step);
+    let output = outputs.iter().find(step).filter(|_| context.known_unit().is_none())?;
+    Some(format!("warning: {} states millimetres, as no unit is known: --unit tells it", output.display()))
 }
 
 /// Ratio of the spacings that nine in ten points lie between from which on both are told.

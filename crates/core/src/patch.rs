@@ -11,10 +11,13 @@
 //! 6. `sides`: the patches left and right of each strip, and the fold between them;
 //! 7. `loops`: the strips in order round each patch.
 //!
+//! [`brep`] makes faces of them, trimmed by edges that they share.
+//!
 //! The network of any method will do. Whether a patch is a whole face depends on the strips: a gap in them joins two faces.
 
 mod area;
 mod beside;
+mod brep;
 mod find;
 mod fit;
 mod flood;
@@ -26,6 +29,7 @@ mod patches;
 mod sides;
 mod stations;
 
+pub use brep::{Brep, Edge, Face, Omission, Shell, brep};
 pub(crate) use find::patches;
 pub use fit::{Fit, Surface};
 pub(crate) use ground::Ground;

@@ -33,8 +33,8 @@ pub use output::{Output, check_output};
 pub use read::{LasFrame, LasRecord, Missing, ReadOptions, Returns, Scan, read, read_all, read_from};
 pub use unit::Unit;
 pub use write::{
-    NetworkContext, Parameter, PointTable, Report, SectionContext, label_clutter, write_cleaned,
-    write_network, write_network_to, write_patches, write_picture, write_picture_to, write_points,
-    write_points_to, write_report, write_report_to, write_sections, write_sections_to, write_slice_picture,
-    write_stages,
+    NetworkContext, Parameter, PointTable, Report, SectionContext, StepProtocol, label_clutter,
+    write_cleaned, write_network, write_network_to, write_patches, write_picture, write_picture_to,
+    write_points, write_points_to, write_report, write_report_to, write_sections, write_sections_to,
+    write_slice_picture, write_stages,
 };

@@ -9,6 +9,7 @@ mod report;
 mod section;
 mod stages;
 
+pub use encode::step::StepProtocol;
 pub use network::{NetworkContext, Parameter, write_network, write_network_to};
 pub use patches::write_patches;
 pub use picture::{write_picture, write_picture_to};

@@ -53,6 +53,7 @@ impl Provenance {
             view,
             millimetres,
             unit: None,
+            step: Default::default(),
             first_schema: false,
             patches,
         })

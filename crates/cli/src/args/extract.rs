@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
 
-use super::groups::{Stated, Work};
+use super::groups::{Cad, Work};
 use super::parse;
 
 /// The head of the long help.
@@ -55,7 +55,7 @@ pub struct Extract {
     #[arg(long, value_name = "MM", value_parser = parse::length)]
     pub millimetres: Option<f64>,
     #[command(flatten)]
-    pub stated: Stated,
+    pub cad: Cad,
     /// Version of the JSON schema: 2, or 1, which has no typed curves
     #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u8).range(1..=2))]
     pub schema: u8,

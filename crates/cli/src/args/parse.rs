@@ -3,7 +3,7 @@
 use lineament::detect::baselines::Detector;
 use lineament::mesh::MOST_SAMPLES;
 use lineament::params::ParamValue;
-use lineament_io::{Format, Returns, Unit};
+use lineament_io::{Format, Returns, StepProtocol, Unit};
 
 /// `KEY=VALUE`.
 pub fn setting(text: &str) -> Result<(String, String), String> {
@@ -76,6 +76,15 @@ pub fn returns(text: &str) -> Result<Returns, String> {
 /// The sign of a unit of length.
 pub fn unit(text: &str) -> Result<Unit, String> {
     Unit::parse(text).ok_or_else(|| format!("the units are {}", Unit::ALL.map(Unit::sign).join(", ")))
+}
+
+/// An application protocol of STEP.
+pub fn protocol(text: &str) -> Result<StepProtocol, String> {
+    match text.to_ascii_lowercase().as_str() {
+        "ap242" => Ok(StepProtocol::Ap242),
+        "ap214" => Ok(StepProtocol::Ap214),
+        _ => Err("ap242 or ap214 was expected".into()),
+    }
 }
 
 /// A number of bytes, with K, M, G or T for powers of 1024.

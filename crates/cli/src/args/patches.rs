@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
 
-use super::groups::{Stated, Work};
+use super::groups::{Cad, Work};
 
 /// The head of the long help.
 pub const ABOUT: &str = "\
@@ -30,7 +30,7 @@ pub struct Patches {
     #[arg(short, long, value_name = "OUT", required = true, value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
     #[command(flatten)]
-    pub stated: Stated,
+    pub cad: Cad,
     /// Folder for the stages of the method `segments`, as of `extract`
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub stages: Option<PathBuf>,

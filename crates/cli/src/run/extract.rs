@@ -54,7 +54,8 @@ fn one(
     let context = NetworkContext {
         view,
         millimetres: args.millimetres,
-        unit: args.stated.unit,
+        unit: args.cad.stated.unit,
+        step: args.cad.step_protocol,
         first_schema: args.schema == 1,
         ..context(&input, &work.params, &found)
     };
@@ -69,6 +70,7 @@ fn one(
     let staged = stages::write(work, args.stages.as_deref(), origin, &input.cloud, &found)?;
     let [wrote, total] = [writing, start].map(|t| t.elapsed().as_secs_f64());
     lines.extend(summary::unplaced(&input, outputs));
+    lines.extend(summary::unmeasured(&context, outputs));
     lines.push(summary::times(&input, &found.report, wrote, total));
     lines.push(summary::written(&[outputs, &staged].concat()));
     Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), total) })

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use lineament::params::Auto;
-use lineament::patch::NO_PATCH;
+use lineament::patch::{NO_PATCH, brep};
 use lineament::{Attribute, Column, Extraction, Method, Params, Patches};
 use lineament_io::{NetworkContext, PatchFormat, PointTable, ReadOptions, patch_format, write_patches};
 
@@ -41,7 +41,11 @@ fn one(work: &Work, args: &args::Patches, origin: &Origin, outputs: &[PathBuf]) 
     let hash = is(|f| f == PatchFormat::Json);
     let mut input = work.load(origin, &ReadOptions { attributes, hash, ..Default::default() })?;
     let found = work.extract(origin, &input)?;
-    let context = NetworkContext { unit: args.stated.unit, ..context(&input, &work.params, &found) };
+    let context = NetworkContext {
+        unit: args.cad.stated.unit,
+        step: args.cad.step_protocol,
+        ..context(&input, &work.params, &found)
+    };
     let labels = found.patch_labels();
     input.cloud.attributes.insert(0, Attribute { name: "patch".into(), values: labels_column(&labels) });
     let classes: Vec<u8> = found.classes().into_iter().map(|class| class as u8).collect();
@@ -59,6 +63,8 @@ fn one(work: &Work, args: &args::Patches, origin: &Origin, outputs: &[PathBuf]) 
     let mut lines = summary::of(&input, &found, work.args.running.verbose);
     lines.extend(found.patches.as_ref().map(|p| counts(p, &found)));
     lines.extend(summary::unplaced(&input, outputs));
+    lines.extend(summary::unmeasured(&context, outputs));
+    lines.extend(found.patches.as_ref().filter(|_| is(|f| f == PatchFormat::Step)).map(|p| faces(p, &found)));
     lines.push(summary::times(&input, &found.report, wrote, total));
     lines.push(summary::written(&[outputs, &staged].concat()));
     Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), total) })
@@ -67,6 +73,20 @@ fn one(work: &Work, args: &args::Patches, origin: &Origin, outputs: &[PathBuf]) 
 /// Labels as they are written: -1 for none.
 fn labels_column(labels: &[u32]) -> Column {
     Column::I32(labels.iter().map(|&l| if l == NO_PATCH { -1 } else { l as i32 }).collect())
+}
+
+/// What became of the patches as faces.
+fn faces(patches: &Patches, found: &Extraction) -> String {
+    let brep = brep(&found.network, patches);
+    let solids = brep.shells.iter().filter(|shell| shell.closed).count();
+    let mut text =
+        format!("STEP: {} in {}", plural(brep.faces.len(), "face"), plural(brep.shells.len(), "shell"));
+    text += &format!(", {solids} closed; gaps up to {}", summary::figure(brep.gap));
+    if !brep.omitted.is_empty() {
+        let why = brep.omitted.iter().map(|(patch, why)| format!("{patch} ({})", why.reason()));
+        text += &format!("; left out: {}", why.collect::<Vec<String>>().join(", "));
+    }
+    text
 }
 
 fn counts(patches: &Patches, found: &Extraction) -> String {

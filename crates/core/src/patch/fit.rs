@@ -12,6 +12,7 @@ pub use surface::{Fit, Surface};
 
 use super::beside::Beside;
 use super::ground::Ground;
+use crate::math::vec3::dot;
 use crate::parallel;
 
 /// Greatest number of points to which a surface is fitted.
@@ -54,9 +55,11 @@ fn fit(ground: &Ground, normals: &[[f64; 3]], patch: &[u32], beside: &Beside) ->
         Some((_, surface)) => {
             let residual = residual(&surface, &points);
             let free = residual > FREE * spacing + 2.0 * ground.scales.mean.noise;
-            Fit { surface, residual, free }
+            let outwards = |(&p, &n): (&[f64; 3], &[f64; 3])| dot(surface.normal(p), n);
+            let outward = points.iter().zip(&normals).map(outwards).sum::<f64>() >= 0.0;
+            Fit { surface, residual, free, outward }
         }
-        None => Fit { surface: start::plane(&points), residual: 0.0, free: false },
+        None => Fit { surface: start::plane(&points), residual: 0.0, free: false, outward: true },
     }
 }
 

@@ -10,7 +10,7 @@ fn params() -> Params {
     params
 }
 
-fn patched(shape: &Shape, count: usize, noise: f64) -> Extraction {
+pub(super) fn patched(shape: &Shape, count: usize, noise: f64) -> Extraction {
     let part = shape.sample(&Scan::new(Sampling::Area { count }).noise(noise).seed(1));
     let found = extract(&part.cloud, &params()).unwrap();
     check::network(&found.network).unwrap();

@@ -64,7 +64,7 @@ fn chord(fold_deg: f64) -> (LineGraph, bool) {
         Sides { left: Some(0), right: Some(1), fold_deg, convex: Some(true) }
     };
     let surface = Surface::Plane { point: [0.0; 3], normal: [0.0, 0.0, 1.0] };
-    let fit = Fit { surface, residual: 0.0, free: false };
+    let fit = Fit { surface, residual: 0.0, free: false, outward: true };
     let patch = Patch { loops: Vec::new(), neighbors: Vec::new(), points: 9, area: 1.0, fit };
     let sides = network.strips.iter().map(beside).collect();
     let patches = Patches { label: Vec::new(), patches: vec![patch.clone(), patch], sides };

@@ -70,6 +70,8 @@ pub enum NetworkFormat {
     Ply,
     /// Lines, arcs, circles and splines, release 2000.
     Dxf,
+    /// A wireframe of lines, circles and splines (ISO 10303-21).
+    Step,
     /// A drawing in millimetres.
     Svg,
     /// Lines and points in the frame of the input.
@@ -120,6 +122,8 @@ pub enum PatchFormat {
     Json,
     /// The loops as lines, arcs, circles and splines, a layer for each patch.
     Dxf,
+    /// The patches as trimmed faces, sewn where they share edges (ISO 10303-21).
+    Step,
     /// The points with the patch of each.
     Points(PointFormat),
     /// A page for browsers.

@@ -61,6 +61,14 @@ pub const FORMATS: &[FileFormat] = &[
         ..named("DXF", &["dxf"])
     },
     FileFormat {
+        network: Some((
+            NetworkFormat::Step,
+            "a wireframe of lines, circles and splines, a layer for each kind",
+        )),
+        patches: Some((PatchFormat::Step, "faces, sewn to solids where they close")),
+        ..named("STEP", &["step", "stp"])
+    },
+    FileFormat {
         network: Some((NetworkFormat::Svg, "a drawing in millimetres, seen from --view")),
         section: Some((SectionFormat::Svg, "a sheet with all slices, in millimetres")),
         ..named("SVG", &["svg"])

@@ -6,4 +6,5 @@ pub(super) mod json;
 pub(super) mod ply;
 pub(super) mod polyline;
 pub(super) mod sqlite;
+pub(super) mod step;
 pub(super) mod zip;

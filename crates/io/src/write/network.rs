@@ -12,6 +12,7 @@ mod obj;
 pub(super) mod patch;
 mod piece;
 mod ply;
+pub(super) mod step;
 mod svg;
 mod vtp;
 
@@ -58,6 +59,7 @@ pub fn write_network_to(
         NetworkFormat::Obj => obj::write(out, network, context),
         NetworkFormat::Ply => ply::write(out, network, context),
         NetworkFormat::Dxf => dxf::write(out, network, context),
+        NetworkFormat::Step => step::write(out, network, context),
         NetworkFormat::Svg => svg::write(out, network, context),
         NetworkFormat::GeoJson => geojson::write(out, network, context),
         NetworkFormat::GeoPackage => gpkg::write(out, network, context),

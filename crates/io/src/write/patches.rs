@@ -1,6 +1,7 @@
-//! Patches: labelled points, loops with surfaces (JSON), or loops by layers (DXF).
+//! Patches: labelled points, loops with surfaces (JSON), loops by layers (DXF), or faces (STEP).
 
 mod dxf;
+mod step;
 
 use super::network::{self, NetworkContext, json};
 use super::points::{self, PointTable, write_points_to};
@@ -31,6 +32,7 @@ pub fn write_patches(
     Output::whole(path, inputs, |out| match format {
         PatchFormat::Json => json::write(out, network, context),
         PatchFormat::Dxf => dxf::write(out, network, context),
+        PatchFormat::Step => step::write(out, network, context),
         PatchFormat::Points(format) => write_points_to(out, format, table),
         PatchFormat::Html => write_report_to(
             out,

@@ -29,4 +29,5 @@ mod scans;
 mod seeds;
 mod select;
 mod shared;
+mod step;
 mod table;

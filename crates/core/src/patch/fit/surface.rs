@@ -62,6 +62,8 @@ pub struct Fit {
     pub residual: f64,
     /// Whether the patch is free-form: the residual exceeds noise and sampling, as the patch has another shape or several.
     pub free: bool,
+    /// Whether the surface's [`normal`](Surface::normal) points outwards at the points of the patch.
+    pub outward: bool,
 }
 
 impl Surface {
@@ -149,6 +151,7 @@ impl Fit {
             surface: self.surface.to_world(frame),
             residual: frame.length_to_world(self.residual),
             free: self.free,
+            outward: self.outward,
         }
     }
 }

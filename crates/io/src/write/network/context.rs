@@ -1,6 +1,7 @@
 //! Provenance and settings of a network for its outputs.
 
 use crate::unit::Unit;
+use crate::write::encode::step::StepProtocol;
 use lineament::patch::Sides;
 use lineament::{Patches, Strip};
 
@@ -33,6 +34,8 @@ pub struct NetworkContext {
     pub millimetres: Option<f64>,
     /// The unit of the coordinates, for the formats that state one; nothing is scaled by it.
     pub unit: Option<Unit>,
+    /// The application protocol of STEP.
+    pub step: StepProtocol,
     /// Whether JSON is written in the schema `lineament-network/1`, which knows no typed curves, instead of `/2`.
     pub first_schema: bool,
     /// The patches between the strips, if they were looked for.
@@ -50,7 +53,7 @@ pub struct Parameter {
 
 impl NetworkContext {
     /// The unit that was given, or that of the reference system where it is known.
-    pub(in crate::write) fn known_unit(&self) -> Option<Unit> {
+    pub fn known_unit(&self) -> Option<Unit> {
         self.unit.or_else(|| Unit::of_reference(self.crs.as_deref()))
     }
 

@@ -1,0 +1,79 @@
+//! A network as STEP: a wireframe of true curves, a GEOMETRIC_CURVE_SET for each strip, named by it and on the layer of its kind.
+
+use super::context::NetworkContext;
+use crate::write::encode::step::{Head, Id, List, Step, Text};
+use lineament::curve::pieces::{Piece, Shape};
+use lineament::math::vec3::{add_scaled, perpendicular};
+use lineament::{Network, Strip, StripKind};
+use std::io::{self, Write};
+
+/// Share of the greatest coordinate up to which curves that meet may lie apart: what rounding leaves.
+const ROUNDING: f64 = 1e-9;
+
+/// Writes the typed curves of each strip, a polyline where it has none.
+pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkContext) -> io::Result<()> {
+    let mut step = Step::begin(out, &head(context, ROUNDING * size(network)))?;
+    let place = step.placement([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0])?;
+    let mut sets: Vec<(StripKind, Id)> = Vec::new();
+    for (number, strip) in network.strips.iter().enumerate() {
+        let curves = curves(&mut step, strip)?;
+        if !curves.is_empty() {
+            let name = format!("{}_{number}", strip.kind.name());
+            let set = step.add(format_args!("GEOMETRIC_CURVE_SET('{name}',{})", List(&curves)))?;
+            sets.push((strip.kind, set));
+        }
+    }
+    for kind in [StripKind::Crease, StripKind::Border] {
+        let of_kind: Vec<Id> = sets.iter().filter(|s| s.0 == kind).map(|s| s.1).collect();
+        step.layer(&kind.name().to_uppercase(), &of_kind)?;
+    }
+    let items: Vec<Id> = [place].into_iter().chain(sets.iter().map(|s| s.1)).collect();
+    // A wireframe has at least one set of curves.
+    let kind = if sets.is_empty() { "SHAPE" } else { "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE" };
+    let (items, inside) = (List(&items), step.context);
+    let name = Text(&context.input_name);
+    let shape = step.add(format_args!("{kind}_REPRESENTATION({name},{items},#{inside})"))?;
+    step.end(&[shape])
+}
+
+/// What a file states, with the distance up to which places may lie apart.
+pub(in crate::write) fn head(context: &NetworkContext, uncertainty: f64) -> Head<'_> {
+    Head {
+        protocol: context.step,
+        name: &context.input_name,
+        version: &context.program_version,
+        unit: context.known_unit(),
+        uncertainty,
+    }
+}
+
+/// The greatest coordinate, at least 1.
+pub(in crate::write) fn size(network: &Network) -> f64 {
+    let points = network.strips.iter().flat_map(|s| &s.points);
+    points.flatten().fold(1.0, |most: f64, c| most.max(c.abs()))
+}
+
+fn curves(step: &mut Step, strip: &Strip) -> io::Result<Vec<Id>> {
+    if strip.curves.is_empty() && strip.points.len() > 1 {
+        let closing = strip.points.first().filter(|_| strip.closed);
+        let points: Vec<[f64; 3]> = strip.points.iter().chain(closing).copied().collect();
+        return Ok(vec![step.polyline("", &points)?]);
+    }
+    strip.curves.iter().map(|p| curve(step, p)).collect()
+}
+
+fn curve(step: &mut Step, piece: &Piece) -> io::Result<Id> {
+    let name = piece.shape.name();
+    match &piece.shape {
+        Shape::Line => step.segment(name, [piece.from, piece.to]),
+        Shape::Arc { round, sweep } => {
+            let circle = step.circle("", round, piece.from)?;
+            step.trimmed(name, circle, [0.0, *sweep])
+        }
+        Shape::Circle(round) => {
+            let first = add_scaled(round.centre, perpendicular(round.normal), round.radius);
+            step.circle(name, round, first)
+        }
+        Shape::Spline(spline) => step.spline(name, spline),
+    }
+}
