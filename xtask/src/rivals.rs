@@ -8,9 +8,22 @@ use crate::browser::{BROWSERS, browser};
 use crate::workspace::{cargo, root, succeed};
 
 /// The programs compared with.
-const PACKAGES: [&str; 14] = [
-    "numpy", "laspy", "lazrs", "plyfile", "pye57", "pypcd4", "ezdxf", "fiona", "trimesh", "pyvista",
-    "pyarrow", "pandas", "duckdb", "pillow",
+const PACKAGES: [&str; 15] = [
+    "numpy",
+    "laspy",
+    "lazrs",
+    "plyfile",
+    "pye57",
+    "pypcd4",
+    "ezdxf",
+    "fiona",
+    "trimesh",
+    "pyvista",
+    "pyarrow",
+    "pandas",
+    "duckdb",
+    "pillow",
+    "cadquery-ocp",
 ];
 /// The programs that draw and check GLB.
 const MODULES: [&str; 2] = ["three", "gltf-validator"];

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Curves in CAD's own programs: cad.py FOLDER, which holds NAME.json and NAME.dxf of networks, NAME.sections.json and
-NAME.sections.dxf of sections. Each entity must have the type of its curve and lie within 1e-6 of it, and the drawing must need no
-repair. Prints a row a file; ends with 1 if one is not as it should be."""
+"""Curves and faces in CAD's own programs: cad.py FOLDER, which holds NAME.json, NAME.dxf and NAME.step of networks, NAME.sections.json
+and NAME.sections.dxf of sections, and NAME.solid.step of patches. Each entity must have the type of its curve and lie within 1e-6 of
+it, the drawing must need no repair, and STEP be read without a complaint; a solid is one closed shell of valid faces. Prints a
+row a file; ends with 1 if one is not as it should be."""
 import glob, importlib, json, math, sys
 import numpy as np
 
@@ -134,7 +135,82 @@ def text(entities, wrong, worst, faults):
     return f"{counts}; {wrong} of another type, at most {worst:.1e} apart; audit: {faults or 'clean'}"
 
 
-CHECKS = [("*.dxf", "ezdxf")]
+def read_step(path):
+    """The shape of a file as Open CASCADE reads it, and what it says of it."""
+    from OCP import IFSelect, STEPControl
+    reader = STEPControl.STEPControl_Reader()
+    if reader.ReadFile(path) != IFSelect.IFSelect_RetDone or not reader.TransferRoots():
+        return None, ["it is not read"]
+    session = reader.WS()
+    said = []
+    for checks in (session.ModelCheckList(False), session.TransferReader().LastCheckList()):
+        checks.Start()
+        while checks.More():
+            check = checks.Value()
+            said += [check.CFail(i + 1) for i in range(check.NbFails())] + [check.CWarning(i + 1) for i in range(check.NbWarnings())]
+            checks.Next()
+    return reader.OneShape(), said
+
+
+def parts(shape, kind):
+    """The parts of a shape of a kind, each once."""
+    from OCP import TopAbs, TopExp, TopoDS
+    explorer = TopExp.TopExp_Explorer(shape, getattr(TopAbs, f"TopAbs_{kind.upper()}"))
+    found = []
+    while explorer.More():
+        part = getattr(TopoDS.TopoDS, kind.capitalize())(explorer.Current())
+        if not any(part.IsSame(other) for other in found):
+            found.append(part)
+        explorer.Next()
+    return found
+
+
+def wireframe(_, path):
+    from OCP import BRepAdaptor
+    shape, said = read_step(path)
+    curves = [c for s in json.load(open(path.replace(".step", ".json")))["strips"] for c in s["curves"]]
+    names = {"Line": ("line",), "Circle": ("arc", "circle"), "BSplineCurve": ("b-spline",)}
+    wrong, worst = 0, 0.0
+    edges = parts(shape, "edge")
+    for edge, curve in zip(edges, curves):
+        adaptor = BRepAdaptor.BRepAdaptor_Curve(edge)
+        kind = str(adaptor.GetType()).split("GeomAbs_")[-1]
+        if curve["type"] not in names.get(kind, ()):
+            wrong += 1
+            continue
+        low, high = adaptor.FirstParameter(), adaptor.LastParameter()
+        places = [adaptor.Value(low + (high - low) * k / 32) for k in range(33)]
+        points = np.array([(p.X(), p.Y(), p.Z()) for p in places])
+        if kind == "Circle" and curve.get("sweep_deg", 360) == 360:
+            curve = dict(curve, type="circle")
+        worst = max(worst, apart(points, curve))
+    wrong += abs(len(edges) - len(curves))
+    good = not said and not wrong and worst < NEAR
+    return good, f"{len(edges)} curves; {wrong} of another type, at most {worst:.1e} apart; said: {said or 'nothing'}"
+
+
+def solid(_, path):
+    from OCP import BRep, BRepCheck, BRepGProp, GProp
+    shape, said = read_step(path)
+    faces, shells, solids = (parts(shape, kind) for kind in ("face", "shell", "solid"))
+    valid = BRepCheck.BRepCheck_Analyzer(shape).IsValid()
+    closed = [BRep.BRep_Tool.IsClosed_s(shell) for shell in shells]
+    properties = GProp.GProp_GProps()
+    BRepGProp.BRepGProp.VolumeProperties_s(shape, properties)
+    volume = properties.Mass()
+    gap = max((BRep.BRep_Tool.Tolerance_s(edge) for edge in parts(shape, "edge")), default=0.0)
+    good = not said and valid and closed == [True] and len(solids) == 1 and volume > 0
+    return good, (f"{len(faces)} faces, {'valid' if valid else 'not valid'}; shells closed: {closed}; volume {volume:.6g}; gaps up to "
+                  f"{gap:.1e}; said: {said or 'nothing'}")
+
+
+CHECKS = [("*.dxf", "ezdxf"), ("*.step", "OCP")]
+
+
+def check_of(path):
+    if path.endswith(".step"):
+        return solid if ".solid." in path else wireframe
+    return sections if ".sections." in path else network
 
 
 def main():
@@ -146,8 +222,7 @@ def main():
             print(f"skip {pattern}: {module} is not installed")
             continue
         for path in sorted(glob.glob(f"{sys.argv[1]}/{pattern}")):
-            check = sections if ".sections." in path else network
-            ok, row = check(module, path)
+            ok, row = check_of(path)(module, path)
             print(f"{'ok  ' if ok else 'BAD '} {path.split('/')[-1]} in {module.__name__}: {row}")
             good &= bool(ok)
     sys.exit(not good)

@@ -7,11 +7,15 @@
 //! 2. `vertex`: nodes, and joints of typed curves, moved onto the surfaces that meet there;
 //! 3. `edge`: the curve between two vertices that lies on the surfaces of both sides: a line or a circle where these have one, else
 //!    a spline through points on both;
-//! 4. `shell`: faces that hang together by their edges.
+//! 4. `short`: edges without length are taken out;
+//! 5. `seam`: faces that go round an axis are cut open;
+//! 6. `shell`: faces that hang together by their edges.
 
 mod choice;
 mod edge;
+mod seam;
 mod shell;
+mod short;
 mod vertex;
 
 use super::fit::Surface;
@@ -20,8 +24,6 @@ use crate::curve::pieces::Shape;
 use crate::network::Network;
 
 pub use choice::Omission;
-pub use shell::Shell;
-
 /// Faces with their edges and vertices, world frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Brep {
@@ -63,6 +65,19 @@ pub struct Face {
     /// Loops of edges, each with whether it is gone along; the face lies to their left as seen from outside. The outer loop comes
     /// first; none for a surface that closes on itself.
     pub loops: Vec<Vec<(u32, bool)>>,
+    /// Unit axis of the parameters of its surface: its normal, its axis, or of a sphere that through its poles.
+    pub axis: [f64; 3],
+    /// Unit vector across the axis from which the angle about it counts: that of the seam, or one away from the face.
+    pub first: [f64; 3],
+}
+
+/// Faces that hang together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Shell {
+    /// Indices of faces, ascending.
+    pub faces: Vec<u32>,
+    /// Whether every edge is gone along once in each direction, so that the shell encloses a solid.
+    pub closed: bool,
 }
 
 /// The patches of an extraction as faces. `network` is the network that they belong to.
@@ -72,6 +87,8 @@ pub fn brep(network: &Network, patches: &Patches) -> Brep {
         let mut found = build(network, patches, &chosen);
         let astray = edge::astray(&found, patches);
         if astray.is_empty() {
+            short::collapse(&mut found);
+            seam::seams(&mut found);
             found.omitted = omitted;
             found.omitted.sort_unstable();
             found.shells = shell::shells(&found.faces);
@@ -107,7 +124,8 @@ fn build(network: &Network, patches: &Patches, chosen: &[u32]) -> Brep {
             loops.push(edges);
         }
         let (surface, outward) = (patch.fit.surface, patch.fit.outward);
-        found.faces.push(Face { patch: p, surface, outward, loops });
+        let unset = [0.0; 3];
+        found.faces.push(Face { patch: p, surface, outward, loops, axis: unset, first: unset });
     }
     found.vertices = vertices.positions;
     found

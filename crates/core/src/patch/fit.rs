@@ -22,7 +22,7 @@ const CLEAR_OF_STRIPS: f64 = 0.8;
 /// Fewest points clear of strips that suffice for a fit.
 const FEWEST_CLEAR: usize = 24;
 /// Residual below which fits count as equally good, spacings: a scan resolves no less.
-const FLOOR: f64 = 0.03;
+pub(super) const FLOOR: f64 = 0.03;
 /// Residual of the best surface above which a patch is free-form, spacings; plus twice the noise.
 const FREE: f64 = 0.15;
 

@@ -1,6 +1,6 @@
 //! Comparisons with other people's programs: `cargo xtask rivals` installs them and runs these tests. By themselves they
 //! need `LINEAMENT_PYTHON`, a Python with laspy, lazrs, pye57, plyfile, pypcd4, trimesh, ezdxf, pyvista, pyarrow, pandas,
-//! duckdb and fiona, any of which may be missing; for pictures a browser, `LINEAMENT_BROWSER`, and a folder of node modules,
+//! duckdb, fiona and cadquery-ocp, any of which may be missing; for pictures a browser, `LINEAMENT_BROWSER`, and a folder of node modules,
 //! `LINEAMENT_NODE`.
 
 use crate::common::{example, shared};
@@ -69,6 +69,31 @@ fn curves_are_those_of_json_in_other_programs() {
             let path = |suffix: &str| folder.path().join(format!("{name}{suffix}.{extension}"));
             write_network(&path(""), &[], &network, &Default::default()).unwrap();
             write_sections(&path(".sections"), &[], &sections, &SectionContext::default()).unwrap();
+        }
+        write_network(&folder.path().join(format!("{name}.step")), &[], &network, &Default::default())
+            .unwrap();
+    }
+    script("cad.py", &[folder.path()]);
+}
+
+#[test]
+fn solids_are_closed_shells_of_valid_faces_in_other_programs() {
+    use lineament::shapes::{Sampling, Scan, bracket, cube, stepped_shaft};
+    use lineament::{Method, Params, params::Auto};
+    use lineament_io::{NetworkContext, PointTable, write_patches};
+    let folder = tempfile::tempdir().unwrap();
+    let mut params = Params { method: Method::Segments, ..Params::default() };
+    params.patches.find = Auto::Given(true);
+    for (name, shape) in [("cube", cube(10.0)), ("bracket", bracket()), ("shaft", stepped_shaft())] {
+        for noise in [0.0, 0.05] {
+            let scan = Scan::new(Sampling::Area { count: 60_000 }).noise(noise).seed(1);
+            let cloud = shape.sample(&scan).cloud;
+            let found = lineament::extract(&cloud, &params).unwrap();
+            let classes = vec![0; cloud.len()];
+            let table = PointTable { cloud: &cloud, classes: &classes, scores: &[], las: None };
+            let context = NetworkContext { patches: found.patches, ..NetworkContext::default() };
+            let path = folder.path().join(format!("{name}-{noise}.solid.step"));
+            write_patches(&path, &[], &found.network, &context, &table).unwrap();
         }
     }
     script("cad.py", &[folder.path()]);

@@ -1,5 +1,6 @@
 //! STEP read back: curves with their types, where JSON has them; faces with shared edges.
 
+mod faces;
 mod parse;
 
 use crate::common::network;

@@ -1,12 +1,12 @@
 //! Edges: the typed curves of a strip, moved onto the surfaces beside it.
 
-use super::vertex::{Vertices, between, meet, off};
+use super::vertex::{Vertices, axis, between, meet, off, radial};
 use super::{Brep, Edge};
 use crate::curve::pieces::{Piece, Shape};
 use crate::curve::{BSpline, Round};
-use crate::math::vec3::{add_scaled, distance, dot, scale, sub};
+use crate::math::vec3::{add_scaled, cross, distance, dot, norm, scale, sub, unit};
 use crate::network::Strip;
-use crate::patch::fit::Surface;
+use crate::patch::fit::{FLOOR, Surface};
 use crate::patch::patches::Patches;
 use std::collections::BTreeSet;
 
@@ -15,6 +15,12 @@ const LOOKED_AT: usize = 32;
 const THROUGH: usize = 96;
 /// Multiple of the error of a surface's points up to which its edges and vertices may lie off it.
 const ASTRAY: f64 = 4.0;
+/// Multiple of the scatter of a line's points by which a circle at the end of a surface may move to stand square to its axis.
+const SCATTER: f64 = 3.0;
+/// Distance from an end of an edge, as a share of the mean step, within which points are left out.
+const CLEAR: f64 = 0.8;
+/// Sine of the angle between two surfaces from which on they say where their edge goes.
+const CROSSING: f64 = 0.1;
 /// Share of the size of a place that rounding leaves.
 const ROUNDING: f64 = 1e-9;
 
@@ -44,6 +50,10 @@ pub(super) fn edges(strip: &Strip, number: u32, vertices: &mut Vertices) -> Vec<
         };
         let samples = samples(strip, piece, [vertices.at(from), vertices.at(to)], &surfaces);
         let shape = shape(piece, &samples, &surfaces, vertices.residual(number));
+        if let (Shape::Circle(round), None) = (&shape, first) {
+            // A loop without nodes begins where its circle does.
+            vertices.positions[from as usize] = round.foot(vertices.at(from));
+        }
         found.push(Edge { shape, ends: [from, to], strip: number });
         from = to;
     }
@@ -59,6 +69,10 @@ fn samples(strip: &Strip, piece: &Piece, [from, to]: [[f64; 3]; 2], surfaces: &[
     let inner = (every..steps).step_by(every).map(|k| strip.points[(piece.first + k) % count]);
     let mut points = vec![from];
     points.extend(inner.map(|p| meet(p, surfaces)));
+    // Where pieces meet a vertex may have passed the points beside it.
+    let length: f64 = points.windows(2).map(|w| distance(w[0], w[1])).sum();
+    let step = length / points.len() as f64;
+    points.retain(|&p| p == from || distance(p, from).min(distance(p, to)) > CLEAR * step);
     if points.len() < 3 && distance(from, to) > 0.0 {
         points.truncate(1);
         points.extend(between(from, to, 4).map(|p| meet(p, surfaces)));
@@ -72,17 +86,19 @@ fn shape(piece: &Piece, samples: &[[f64; 3]], surfaces: &[Surface], residual: f6
     let (from, to) = (samples[0], samples[samples.len() - 1]);
     let typed = match &piece.shape {
         Shape::Line => Some(Shape::Line),
-        Shape::Arc { round, .. } | Shape::Circle(round) => rounded(*round, samples, surfaces),
+        Shape::Arc { round, .. } | Shape::Circle(round) => {
+            rounded(*round, samples, surfaces, SCATTER * piece.deviation + residual)
+        }
         Shape::Spline(_) => None,
     };
     let most = residual.max(ROUNDING * from.iter().fold(1.0, |m: f64, c| m.max(c.abs())));
     typed
         .filter(|shape| points(shape, [from, to]).iter().all(|&p| off(p, surfaces) <= most))
-        .unwrap_or_else(|| Shape::Spline(through(samples)))
+        .unwrap_or_else(|| Shape::Spline(through(samples, surfaces)))
 }
 
 /// The arc or circle of samples, in the plane of a face where one is a plane, and with the turn of the one before.
-fn rounded(before: Round, samples: &[[f64; 3]], surfaces: &[Surface]) -> Option<Shape> {
+fn rounded(before: Round, samples: &[[f64; 3]], surfaces: &[Surface], most: f64) -> Option<Shape> {
     let (from, to) = (samples[0], samples[samples.len() - 1]);
     let closed = distance(from, to) <= ROUNDING * before.radius;
     let row = if closed { &samples[..samples.len() - 1] } else { samples };
@@ -92,6 +108,9 @@ fn rounded(before: Round, samples: &[[f64; 3]], surfaces: &[Surface]) -> Option<
         _ => None,
     });
     round.normal = plane.unwrap_or(round.normal);
+    if let [surface] = surfaces {
+        round = about(round, row, surface, most);
+    }
     if dot(round.normal, before.normal) < 0.0 {
         round.normal = scale(round.normal, -1.0);
     }
@@ -106,14 +125,25 @@ fn rounded(before: Round, samples: &[[f64; 3]], surfaces: &[Surface]) -> Option<
     Some(Shape::Arc { round, sweep: round.sweep_between(from, to) })
 }
 
-/// The cubic spline through points, with the slopes of parabolas through three each.
-fn through(points: &[[f64; 3]]) -> BSpline {
+/// The circle about the axis of a surface that ends there, if it lies no farther than `most` from another circle.
+fn about(round: Round, samples: &[[f64; 3]], surface: &Surface, most: f64) -> Round {
+    let Some((on, axis)) = axis(surface) else { return round };
+    let centre = add_scaled(on, axis, dot(sub(round.centre, on), axis));
+    let reach = samples.iter().map(|&p| norm(radial((on, axis), p))).sum::<f64>() / samples.len() as f64;
+    let tilt = norm(cross(axis, round.normal)) * round.radius;
+    let moved = tilt + distance(centre, round.centre) + (reach - round.radius).abs();
+    if moved <= most { Round { centre, normal: axis, radius: reach } } else { round }
+}
+
+/// The cubic spline through points, along both surfaces where there are two that cross, else with the slopes of parabolas through
+/// three points each.
+fn through(points: &[[f64; 3]], surfaces: &[Surface]) -> BSpline {
     let mut points = points.to_vec();
     points.dedup();
     let steps: Vec<f64> = points.windows(2).map(|w| distance(w[0], w[1])).collect();
     let chord = |k: usize| scale(sub(points[k + 1], points[k]), 1.0 / steps[k]);
     let last = steps.len() - 1;
-    let slope = |k: usize| match (k, k > last) {
+    let rough = |k: usize| match (k, k > last) {
         (0, _) if last == 0 => chord(0),
         (0, _) => parabola(chord(0), chord(1), -steps[0] / (steps[0] + steps[1])),
         (_, true) if last == 0 => chord(0),
@@ -121,6 +151,16 @@ fn through(points: &[[f64; 3]]) -> BSpline {
             parabola(chord(last - 1), chord(last), 1.0 + steps[last] / (steps[last - 1] + steps[last]))
         }
         _ => parabola(chord(k - 1), chord(k), steps[k - 1] / (steps[k - 1] + steps[k])),
+    };
+    let slope = |k: usize| {
+        let rough = rough(k);
+        match surfaces {
+            [a, b] => {
+                let exact = cross(a.normal(points[k]), b.normal(points[k]));
+                if norm(exact) > CROSSING { scale(unit(exact), dot(exact, rough).signum()) } else { rough }
+            }
+            _ => rough,
+        }
     };
     let (mut knots, mut controls) = (vec![0.0; 4], vec![points[0]]);
     let mut at = 0.0;
@@ -140,7 +180,7 @@ fn parabola(a: [f64; 3], b: [f64; 3], share: f64) -> [f64; 3] {
 }
 
 /// Points along a curve.
-fn points(shape: &Shape, [from, to]: [[f64; 3]; 2]) -> Vec<[f64; 3]> {
+pub(super) fn points(shape: &Shape, [from, to]: [[f64; 3]; 2]) -> Vec<[f64; 3]> {
     match shape {
         Shape::Line => between(from, to, LOOKED_AT).chain([from, to]).collect(),
         Shape::Arc { round, sweep } => round.samples(from, *sweep, LOOKED_AT + 1),
@@ -181,6 +221,10 @@ pub(super) fn gap(found: &Brep) -> f64 {
 /// The patches whose edges lie off their surface by more than its points explain.
 pub(super) fn astray(found: &Brep, patches: &Patches) -> BTreeSet<u32> {
     let size = found.vertices.iter().flatten().fold(1.0, |m: f64, c| m.max(c.abs()));
-    let most = |p: u32| ASTRAY * patches.patches[p as usize].fit.residual + ROUNDING * size;
+    let most = |p: u32| {
+        let patch = &patches.patches[p as usize];
+        let spacing = (patch.area / patch.points.max(1) as f64).sqrt();
+        ASTRAY * patch.fit.residual.max(FLOOR * spacing) + ROUNDING * size
+    };
     gaps(found).filter(|&(p, gap)| !gap.is_finite() || gap > most(p)).map(|(p, _)| p).collect()
 }

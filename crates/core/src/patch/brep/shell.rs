@@ -1,17 +1,8 @@
 //! Shells: faces that hang together by their edges.
 
-use super::Face;
+use super::{Face, Shell};
 use crate::math::union_find::UnionFind;
 use std::collections::BTreeMap;
-
-/// Faces that hang together.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Shell {
-    /// Indices of faces, ascending.
-    pub faces: Vec<u32>,
-    /// Whether every edge is gone along once in each direction, so that the shell encloses a solid.
-    pub closed: bool,
-}
 
 pub(super) fn shells(faces: &[Face]) -> Vec<Shell> {
     let mut uses: BTreeMap<u32, Vec<(u32, bool)>> = BTreeMap::new();

@@ -121,3 +121,19 @@ pub(super) fn between(a: [f64; 3], b: [f64; 3], count: usize) -> impl Iterator<I
     let along = sub(b, a);
     (1..count).map(move |k| add_scaled(a, along, k as f64 / count as f64))
 }
+
+/// A point on the axis of a surface, and its direction; `None` for planes and spheres.
+pub(super) fn axis(surface: &Surface) -> Option<([f64; 3], [f64; 3])> {
+    match *surface {
+        Surface::Cylinder { point, axis, .. } => Some((point, axis)),
+        Surface::Cone { apex, axis, .. } => Some((apex, axis)),
+        Surface::Torus { center, axis, .. } => Some((center, axis)),
+        Surface::Plane { .. } | Surface::Sphere { .. } => None,
+    }
+}
+
+/// The part of the way from an axis to a point that is across the axis.
+pub(super) fn radial((on, axis): ([f64; 3], [f64; 3]), p: [f64; 3]) -> [f64; 3] {
+    let d = sub(p, on);
+    add_scaled(d, axis, -dot(d, axis))
+}

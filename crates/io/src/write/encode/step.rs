@@ -9,10 +9,7 @@ use crate::unit::Unit;
 use std::fmt::Display;
 use std::io::{self, Write};
 
-pub(in crate::write) use value::{List, Real, Text};
-
-/// Number of an instance.
-pub(in crate::write) type Id = usize;
+pub(in crate::write) use value::{Id, List, Real, Text};
 
 /// The application protocol of a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use crate::write::network::NetworkContext;
 use crate::write::network::step::{head, size};
 use lineament::Network;
 use lineament::curve::pieces::Shape;
-use lineament::math::vec3::{add_scaled, dot, perpendicular, sub};
+use lineament::math::vec3::{add_scaled, dot, sub};
 use lineament::patch::{Brep, Edge, Face, Shell, Surface, brep};
 use std::io::{self, Write};
 
@@ -81,7 +81,7 @@ fn face(step: &mut Step, found: &Brep, face: &Face, edges: &[Id]) -> io::Result<
         let kind = if outer { "FACE_OUTER_BOUND" } else { "FACE_BOUND" };
         bounds.push(step.add(format_args!("{kind}('',#{ring},.T.)"))?);
     }
-    if let (Some(point), true) = (pole(&face.surface), bounds.is_empty()) {
+    if let (Some(point), true) = (pole(face), bounds.is_empty()) {
         let vertex = vertex(step, point)?;
         let ring = step.add(format_args!("VERTEX_LOOP('',#{vertex})"))?;
         bounds.push(step.add(format_args!("FACE_BOUND('',#{ring},.T.)"))?);
@@ -92,42 +92,30 @@ fn face(step: &mut Step, found: &Brep, face: &Face, edges: &[Id]) -> io::Result<
 }
 
 /// A point of a surface that closes on itself.
-fn pole(surface: &Surface) -> Option<[f64; 3]> {
-    match *surface {
-        Surface::Sphere { center, radius } => Some(add_scaled(center, [0.0, 0.0, 1.0], radius)),
-        Surface::Torus { center, axis, major, minor } => {
-            Some(add_scaled(center, perpendicular(axis), major + minor))
-        }
+fn pole(face: &Face) -> Option<[f64; 3]> {
+    match face.surface {
+        Surface::Sphere { center, radius } => Some(add_scaled(center, face.axis, radius)),
+        Surface::Torus { center, major, minor, .. } => Some(add_scaled(center, face.first, major + minor)),
         _ => None,
     }
 }
 
 fn surface(step: &mut Step, found: &Brep, face: &Face) -> io::Result<Id> {
-    match face.surface {
-        Surface::Plane { point, normal } => {
-            let place = step.placement(point, normal, perpendicular(normal))?;
-            step.add(format_args!("PLANE('',#{place})"))
-        }
-        Surface::Sphere { center, radius } => {
-            let place = step.placement(center, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0])?;
-            step.add(format_args!("SPHERICAL_SURFACE('',#{place},{})", Real(radius)))
-        }
-        Surface::Cylinder { point, axis, radius } => {
-            let place = step.placement(point, axis, perpendicular(axis))?;
-            step.add(format_args!("CYLINDRICAL_SURFACE('',#{place},{})", Real(radius)))
-        }
+    let (kind, at, sizes) = match face.surface {
+        Surface::Plane { point, .. } => ("PLANE", point, vec![]),
+        Surface::Sphere { center, radius } => ("SPHERICAL_SURFACE", center, vec![radius]),
+        Surface::Cylinder { point, radius, .. } => ("CYLINDRICAL_SURFACE", point, vec![radius]),
         Surface::Cone { apex, axis, half_angle } => {
             // Placed among the edges, not at the apex, where the radius would be none.
             let edges = face.loops.iter().flatten().map(|e| found.edges[e.0 as usize].ends[0]);
             let heights = edges.map(|v| dot(sub(found.vertices[v as usize], apex), axis));
             let height = heights.fold(0.0, f64::max);
-            let place = step.placement(add_scaled(apex, axis, height), axis, perpendicular(axis))?;
-            let radius = Real(height * half_angle.tan());
-            step.add(format_args!("CONICAL_SURFACE('',#{place},{radius},{})", Real(half_angle)))
+            let sizes = vec![height * half_angle.tan(), half_angle];
+            ("CONICAL_SURFACE", add_scaled(apex, axis, height), sizes)
         }
-        Surface::Torus { center, axis, major, minor } => {
-            let place = step.placement(center, axis, perpendicular(axis))?;
-            step.add(format_args!("TOROIDAL_SURFACE('',#{place},{},{})", Real(major), Real(minor)))
-        }
-    }
+        Surface::Torus { center, major, minor, .. } => ("TOROIDAL_SURFACE", center, vec![major, minor]),
+    };
+    let place = step.placement(at, face.axis, face.first)?;
+    let sizes: String = sizes.into_iter().map(|size| format!(",{}", Real(size))).collect();
+    step.add(format_args!("{kind}('',#{place}{sizes})"))
 }

@@ -1,7 +1,9 @@
 //! Values of parameters in the exchange structure (ISO 10303-21, 6.4).
 
-use super::Id;
 use std::fmt::{self, Display, Formatter};
+
+/// Number of an instance.
+pub(in crate::write) type Id = usize;
 
 /// A real number in the shortest decimals that give it back; it always has a point, and its exponent a capital letter.
 pub(in crate::write) struct Real(pub f64);
