@@ -24,6 +24,7 @@ use crate::curve::pieces::Shape;
 use crate::network::Network;
 
 pub use choice::Omission;
+
 /// Faces with their edges and vertices, world frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Brep {
