@@ -53,11 +53,13 @@ class Extraction:
         """The value of every parameter that the method reads, by its key in the program."""
         return self.report.used
 
-    def write(self, path: Path, *, view: str = "auto", millimetres: float | None = None) -> None:
+    def write(
+        self, path: Path, *, view: str = "auto", millimetres: float | None = None, unit: str | None = None
+    ) -> None:
         """Writes the lines, as ``lineament extract -o``: see :meth:`Network.write`. A report (``.html``) shows the points too."""
         labels = None if self.patches is None else self.patches.labels
         marks = self.classes, labels
-        self._found.write(fspath(path), self.scan, self.network.provenance, marks, (view, millimetres))
+        self._found.write(fspath(path), self.scan, self.network.provenance, marks, (view, millimetres, unit))
 
     def _repr_html_(self) -> str:
         notes = "".join(f"<p>Note: {html.escape(note)}</p>" for note in self.report.notes)

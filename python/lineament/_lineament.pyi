@@ -344,7 +344,7 @@ class Found:
         scan: Scan,
         provenance: Provenance,
         marks: tuple[npt.NDArray[np.uint8], npt.NDArray[np.int32] | None],
-        drawing: tuple[str, float | None],
+        drawing: tuple[str, float | None, str | None],
     ) -> None: ...
     def write_patches(
         self,
@@ -353,13 +353,16 @@ class Found:
         provenance: Provenance,
         labels: npt.NDArray[np.int32],
         classes: npt.NDArray[np.uint8],
+        unit: str | None,
     ) -> None: ...
 
 @final
 class Cut:
     def __new__(cls, state: bytes) -> Self: ...
     def __getnewargs__(self) -> tuple[bytes]: ...
-    def write(self, path: str, scan: Scan, provenance: Provenance, millimetres: float | None) -> None: ...
+    def write(
+        self, path: str, scan: Scan, provenance: Provenance, millimetres: float | None, unit: str | None
+    ) -> None: ...
 
 @final
 class Las:
@@ -417,6 +420,7 @@ def write_network(
     provenance: Provenance,
     view: str,
     millimetres: float | None,
+    unit: str | None,
 ) -> None: ...
 def draw(network: Network, provenance: Provenance, view: str, millimetres: float | None) -> str: ...
 def main(words: Sequence[str]) -> int: ...

@@ -129,25 +129,28 @@ class Network:
         *,
         view: str = "auto",
         millimetres: float | None = None,
+        unit: str | None = None,
     ) -> None:
         """Writes the network in the format of the extension, whole or not at all.
 
         Parameters
         ----------
         path
-            ``.json``, ``.dxf``, ``.svg``, ``.obj``, ``.ply``, ``.geojson``, ``.gpkg``, ``.glb``, ``.vtp``, ``.csv``, or
+            ``.json``, ``.dxf``, ``.step``, ``.svg``, ``.obj``, ``.ply``, ``.geojson``, ``.gpkg``, ``.glb``, ``.vtp``, ``.csv``, or
             ``.html`` (a report for browsers, of the lines without the points).
         view
             Viewpoint of drawings (SVG): auto, top, bottom, front, back, left, right, iso, or ``X,Y,Z``.
         millimetres
             Millimetres of a drawing for one unit of the input; without, it is fitted to 200 mm.
+        unit
+            Unit of the coordinates, which DXF and STEP state: mm, cm, m, in or ft. Nothing is scaled by it.
 
         Raises
         ------
         OutputError
             If no format has the extension, or the file cannot be written.
         """
-        _lineament.write_network(fspath(path), [], self, self.provenance, view, millimetres)
+        _lineament.write_network(fspath(path), [], self, self.provenance, view, millimetres, unit)
 
     def to_pyvista(self) -> Any:
         """The strips as a ``pyvista.PolyData`` of lines, with kind, length and the like as cell data."""

@@ -109,14 +109,16 @@ class Patches:
         patches = [_patch(patch) for patch in raw["patches"]]
         return cls(patches, [Sides(**sides) for sides in raw["sides"]], labels, network, classes, found, scan)
 
-    def write(self, path: Path) -> None:
+    def write(self, path: Path, *, unit: str | None = None) -> None:
         """Writes the patches, as ``lineament patches -o``: whole or not at all, in the format of the extension.
 
         Parameters
         ----------
         path
-            ``.json`` and ``.dxf`` hold loops and surfaces; ``.ply``, ``.las``, ``.npz`` and other formats of points hold the points
+            ``.json`` and ``.dxf`` hold loops and surfaces, ``.step`` faces; ``.ply``, ``.las``, ``.npz`` and other formats of points hold the points
             with the number of their patch; ``.html`` is a report for browsers.
+        unit
+            Unit of the coordinates, which DXF and STEP state: mm, cm, m, in or ft. Nothing is scaled by it.
 
         Raises
         ------
@@ -124,7 +126,7 @@ class Patches:
             If no format has the extension, or the file cannot be written.
         """
         self._found.write_patches(
-            fspath(path), self._scan, self._network.provenance, self.labels, self._classes
+            fspath(path), self._scan, self._network.provenance, self.labels, self._classes, unit
         )
 
     def __iter__(self) -> Iterator[Patch]:

@@ -135,7 +135,7 @@ class Sections:
     """The points, as they were given."""
     _cut: _lineament.Cut = field(repr=False)
 
-    def write(self, path: Path, *, millimetres: float | None = None) -> None:
+    def write(self, path: Path, *, millimetres: float | None = None, unit: str | None = None) -> None:
         """Writes the sections, as ``lineament section -o``: whole or not at all, in the format of the extension.
 
         Parameters
@@ -145,13 +145,15 @@ class Sections:
             the points).
         millimetres
             Millimetres of a drawing for one unit of the input; without, it is fitted to 200 mm.
+        unit
+            Unit of the coordinates, which DXF states: mm, cm, m, in or ft. Nothing is scaled by it.
 
         Raises
         ------
         OutputError
             If no format has the extension, or the file cannot be written.
         """
-        self._cut.write(fspath(path), self.scan, self.provenance, millimetres)
+        self._cut.write(fspath(path), self.scan, self.provenance, millimetres, unit)
 
     def __iter__(self) -> Iterator[Section]:
         return iter(self.sections)

@@ -41,7 +41,7 @@ def lines(path: Path) -> list[str]:
     return [line for line in text if not line.startswith('"input"')]
 
 
-FORMATS = ("json", "dxf", "svg", "obj", "ply", "geojson", "gpkg", "glb", "vtp", "csv")
+FORMATS = ("json", "dxf", "step", "svg", "obj", "ply", "geojson", "gpkg", "glb", "vtp", "csv")
 SCANS = ("cube-386", "random-cube", "wedge", "sheet")
 
 
@@ -101,6 +101,15 @@ def test_a_part_of_a_network_is_a_network(found: lineament.Extraction, tmp_path:
             assert np.array_equal(strip.points[0], long.nodes[strip.start].position)
     long.write(tmp_path / "long.dxf")
     assert (tmp_path / "long.dxf").read_text().count("AcDbLine\n") > 0
+
+
+def test_files_for_cad_state_the_unit(found: lineament.Extraction, tmp_path: Path) -> None:
+    found.write(tmp_path / "lines.dxf", unit="in")
+    assert "$INSUNITS\n70\n1\n" in (tmp_path / "lines.dxf").read_text()
+    found.network.write(tmp_path / "lines.step", unit="m")
+    assert "SI_UNIT($,.METRE.)" in (tmp_path / "lines.step").read_text()
+    with pytest.raises(lineament.ParameterError, match="mile"):
+        found.write(tmp_path / "lines.dxf", unit="mile")
 
 
 def test_every_format_is_that_of_the_program(found: lineament.Extraction, tmp_path: Path, program: Any) -> None:

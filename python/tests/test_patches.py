@@ -26,7 +26,7 @@ def test_a_box_has_six_planes(tmp_path: Path) -> None:
     assert lineament.extract(points).patches is None
 
 
-@pytest.mark.parametrize("extension", ["ply", "dxf"])
+@pytest.mark.parametrize("extension", ["ply", "dxf", "step"])
 def test_they_are_written_as_by_the_program(extension: str, tmp_path: Path, program: Any) -> None:
     ours, theirs = tmp_path / f"ours.{extension}", tmp_path / f"theirs.{extension}"
     patches = lineament.patches(lineament.sample("cylinders")).patches

@@ -144,7 +144,7 @@ impl Found {
     }
 
     /// Writes the network to a file, in the format of its extension. A report shows the points of `scan` with their `marks`;
-    /// `drawing` is the view of a drawing and its millimetres for one unit.
+    /// `drawing` is the view of a drawing, its millimetres for one unit, and the unit that is stated.
     fn write(
         &self,
         py: Python<'_>,
@@ -152,9 +152,10 @@ impl Found {
         scan: ScanIn<'_>,
         provenance: Provenance,
         marks: Marks<'_>,
-        drawing: (String, Option<f64>),
+        drawing: (String, Option<f64>, Option<String>),
     ) -> PyResult<()> {
-        let context = provenance.context(self.patches.clone(), &drawing.0, drawing.1)?;
+        let (view, millimetres, unit) = drawing;
+        let context = provenance.context(self.patches.clone(), &view, millimetres, unit.as_deref())?;
         if is_page(&path) {
             return self.write_page(py, &path, scan, &context, marks);
         }
@@ -170,8 +171,9 @@ impl Found {
         provenance: Provenance,
         labels: PyReadonlyArray1<'_, i32>,
         classes: PyReadonlyArray1<'_, u8>,
+        unit: Option<String>,
     ) -> PyResult<()> {
-        let context = provenance.context(self.patches.clone(), "auto", None)?;
+        let context = provenance.context(self.patches.clone(), "auto", None, unit.as_deref())?;
         let (py, las, inputs) = (labels.py(), scan.las.clone(), scan.files.clone());
         if is_page(&path) {
             return self.write_page(py, &path, scan, &context, (classes, Some(labels)));

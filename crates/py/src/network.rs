@@ -164,9 +164,10 @@ pub fn write_network(
     provenance: Provenance,
     view: &str,
     millimetres: Option<f64>,
+    unit: Option<String>,
 ) -> PyResult<()> {
     let network = network.network()?;
-    let context = provenance.context(None, view, millimetres)?;
+    let context = provenance.context(None, view, millimetres, unit.as_deref())?;
     Ok(py.detach(|| write(&path, &inputs, &network, &context)).map_err(Fault::from)?)
 }
 
@@ -179,7 +180,7 @@ pub fn draw(
     view: &str,
     millimetres: Option<f64>,
 ) -> PyResult<String> {
-    let (network, context) = (network.network()?, provenance.context(None, view, millimetres)?);
+    let (network, context) = (network.network()?, provenance.context(None, view, millimetres, None)?);
     let mut svg = Vec::new();
     write_network_to(&mut svg, NetworkFormat::Svg, &network, &context)?;
     Ok(String::from_utf8(svg)?)

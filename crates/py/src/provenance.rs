@@ -3,7 +3,7 @@
 use lineament::Patches;
 use lineament::apply::render::View;
 use lineament::section::Stack;
-use lineament_io::{NetworkContext, Parameter, SectionContext};
+use lineament_io::{NetworkContext, Parameter, SectionContext, Unit};
 use pyo3::prelude::*;
 
 use crate::fault::Fault;
@@ -24,15 +24,17 @@ pub struct Provenance {
 }
 
 impl Provenance {
-    /// The context of a network, for an output in which drawings look from `view` and have `millimetres` for one unit.
+    /// The context of a network, for an output in which drawings look from `view` and have `millimetres` for one unit, and that states
+    /// `unit`.
     ///
     /// # Errors
-    /// A view that is none.
+    /// A view or a unit that is none.
     pub fn context(
         self,
         patches: Option<Patches>,
         view: &str,
         millimetres: Option<f64>,
+        unit: Option<&str>,
     ) -> Result<NetworkContext, Fault> {
         let parameter = |(key, value)| Parameter { key, value };
         let view = match View::parse(view)? {
@@ -52,16 +54,24 @@ impl Provenance {
             crs_wkt: self.crs_wkt,
             view,
             millimetres,
-            unit: None,
+            unit: known(unit)?,
             step: Default::default(),
             first_schema: false,
             patches,
         })
     }
 
-    /// The context of sections, of which a drawing has `millimetres` for one unit.
-    pub fn of_sections(self, stack: Stack, millimetres: Option<f64>) -> SectionContext {
-        SectionContext {
+    /// The context of sections, of which a drawing has `millimetres` for one unit, and DXF states `unit`.
+    ///
+    /// # Errors
+    /// A unit that is none.
+    pub fn of_sections(
+        self,
+        stack: Stack,
+        millimetres: Option<f64>,
+        unit: Option<&str>,
+    ) -> Result<SectionContext, Fault> {
+        Ok(SectionContext {
             program_version: env!("CARGO_PKG_VERSION").into(),
             input_name: self.name,
             input_sha256: self.sha256,
@@ -69,8 +79,17 @@ impl Provenance {
             crs: self.crs,
             crs_wkt: self.crs_wkt,
             millimetres,
-            unit: None,
+            unit: known(unit)?,
             stack,
-        }
+        })
     }
+}
+
+/// The unit of a sign.
+fn known(sign: Option<&str>) -> Result<Option<Unit>, Fault> {
+    let parse = |sign: &str| {
+        let units = || Unit::ALL.map(Unit::sign).join(", ");
+        Unit::parse(sign).ok_or_else(|| Fault::Argument(format!("unit: `{sign}` is none of {}", units())))
+    };
+    sign.map(parse).transpose()
 }

@@ -185,6 +185,7 @@ impl Cut {
         scan: ScanIn<'_>,
         provenance: Provenance,
         millimetres: Option<f64>,
+        unit: Option<String>,
     ) -> PyResult<()> {
         if is_page(&path) {
             let scanned = scan.scanned()?;
@@ -192,7 +193,8 @@ impl Cut {
             return scanned.write(py, &path, &Report { sections, ..scanned.report() });
         }
         let inputs = scan.files.clone();
-        let context: SectionContext = provenance.of_sections(self.stack.clone(), millimetres);
+        let context: SectionContext =
+            provenance.of_sections(self.stack.clone(), millimetres, unit.as_deref())?;
         Ok(py.detach(|| write_sections(&path, &inputs, &self.sections, &context)).map_err(Fault::from)?)
     }
 }

@@ -1,6 +1,7 @@
 //! Tests of the program as its users run it, one module a subject.
 
 mod batch;
+mod cad;
 mod chosen;
 mod clean;
 mod commands;
