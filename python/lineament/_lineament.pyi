@@ -418,9 +418,7 @@ def write_network(
     inputs: Sequence[str],
     network: Network,
     provenance: Provenance,
-    view: str,
-    millimetres: float | None,
-    unit: str | None,
+    drawing: tuple[str, float | None, str | None],
 ) -> None: ...
 def draw(network: Network, provenance: Provenance, view: str, millimetres: float | None) -> str: ...
 def main(words: Sequence[str]) -> int: ...

@@ -150,7 +150,7 @@ class Network:
         OutputError
             If no format has the extension, or the file cannot be written.
         """
-        _lineament.write_network(fspath(path), [], self, self.provenance, view, millimetres, unit)
+        _lineament.write_network(fspath(path), [], self, self.provenance, (view, millimetres, unit))
 
     def to_pyvista(self) -> Any:
         """The strips as a ``pyvista.PolyData`` of lines, with kind, length and the like as cell data."""

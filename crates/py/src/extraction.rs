@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use crate::fault::Fault;
 use crate::network::{self, NetworkOut};
 use crate::patches::{self, PatchesOut};
-use crate::provenance::Provenance;
+use crate::provenance::{Drawn, Provenance};
 use crate::report::page::is_page;
 use crate::report::{self, ReportOut};
 use crate::scan::ScanIn;
@@ -143,8 +143,7 @@ impl Found {
         state::bytes(py, self)
     }
 
-    /// Writes the network to a file, in the format of its extension. A report shows the points of `scan` with their `marks`;
-    /// `drawing` is the view of a drawing, its millimetres for one unit, and the unit that is stated.
+    /// Writes the network to a file, in the format of its extension. A report shows the points of `scan` with their `marks`.
     fn write(
         &self,
         py: Python<'_>,
@@ -152,7 +151,7 @@ impl Found {
         scan: ScanIn<'_>,
         provenance: Provenance,
         marks: Marks<'_>,
-        drawing: (String, Option<f64>, Option<String>),
+        drawing: Drawn,
     ) -> PyResult<()> {
         let (view, millimetres, unit) = drawing;
         let context = provenance.context(self.patches.clone(), &view, millimetres, unit.as_deref())?;

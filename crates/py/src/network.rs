@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use crate::arrays::{rows, table, triple};
 use crate::curves::{CurveIn, CurveOut, TypedIn, TypedOut, curve, typed};
 use crate::fault::Fault;
-use crate::provenance::Provenance;
+use crate::provenance::{Drawn, Provenance};
 
 /// A network as a dictionary.
 #[derive(IntoPyObject)]
@@ -162,12 +162,11 @@ pub fn write_network(
     inputs: Vec<PathBuf>,
     network: NetworkIn<'_>,
     provenance: Provenance,
-    view: &str,
-    millimetres: Option<f64>,
-    unit: Option<String>,
+    drawing: Drawn,
 ) -> PyResult<()> {
     let network = network.network()?;
-    let context = provenance.context(None, view, millimetres, unit.as_deref())?;
+    let (view, millimetres, unit) = drawing;
+    let context = provenance.context(None, &view, millimetres, unit.as_deref())?;
     Ok(py.detach(|| write(&path, &inputs, &network, &context)).map_err(Fault::from)?)
 }
 

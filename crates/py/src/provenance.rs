@@ -23,6 +23,9 @@ pub struct Provenance {
     crs_wkt: Option<String>,
 }
 
+/// How a file shows or states lengths: the view of a drawing, its millimetres for one unit, and the unit of the coordinates.
+pub type Drawn = (String, Option<f64>, Option<String>);
+
 impl Provenance {
     /// The context of a network, for an output in which drawings look from `view` and have `millimetres` for one unit, and that states
     /// `unit`.
