@@ -26,7 +26,16 @@ def test_a_box_has_six_planes(tmp_path: Path) -> None:
     assert lineament.extract(points).patches is None
 
 
-@pytest.mark.parametrize("extension", ["ply", "dxf", "step"])
+def test_they_are_faces_in_step(tmp_path: Path) -> None:
+    patches = lineament.patches(lineament.sample("cylinders")).patches
+    assert patches is not None
+    patches.write(tmp_path / "solid.step", unit="m")
+    text = (tmp_path / "solid.step").read_text()
+    assert text.count("=ADVANCED_FACE(") == len(patches) == 7
+    assert "CLOSED_SHELL" in text and "SI_UNIT($,.METRE.)" in text
+
+
+@pytest.mark.parametrize("extension", ["ply", "dxf"])
 def test_they_are_written_as_by_the_program(extension: str, tmp_path: Path, program: Any) -> None:
     ours, theirs = tmp_path / f"ours.{extension}", tmp_path / f"theirs.{extension}"
     patches = lineament.patches(lineament.sample("cylinders")).patches
