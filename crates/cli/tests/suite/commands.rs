@@ -1,5 +1,7 @@
 //! Each command does what its help says.
 
+mod cad;
+
 use crate::common::{Sandbox, cube, json};
 
 #[test]

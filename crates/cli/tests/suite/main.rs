@@ -1,7 +1,6 @@
 //! Tests of the program as its users run it, one module a subject.
 
 mod batch;
-mod cad;
 mod chosen;
 mod clean;
 mod commands;
