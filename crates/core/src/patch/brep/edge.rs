@@ -1,6 +1,6 @@
 //! Edges: the typed curves of a strip, moved onto the surfaces beside it.
 
-use super::vertex::{Vertices, axis, between, meet, off, radial};
+use super::vertex::{Vertices, axis, between, meet, off, radial, rounding};
 use super::{Brep, Edge};
 use crate::curve::pieces::{Piece, Shape};
 use crate::curve::{BSpline, Round};
@@ -21,7 +21,7 @@ const SCATTER: f64 = 3.0;
 const CLEAR: f64 = 0.8;
 /// Sine of the angle between two surfaces from which on they say where their edge goes.
 const CROSSING: f64 = 0.1;
-/// Share of the size of a place that rounding leaves.
+/// Share of a radius up to which the ends of an arc are one.
 const ROUNDING: f64 = 1e-9;
 
 /// The edges of a strip in their order.
@@ -91,7 +91,7 @@ fn shape(piece: &Piece, samples: &[[f64; 3]], surfaces: &[Surface], residual: f6
         }
         Shape::Spline(_) => None,
     };
-    let most = residual.max(ROUNDING * from.iter().fold(1.0, |m: f64, c| m.max(c.abs())));
+    let most = residual.max(rounding(samples));
     typed
         .filter(|shape| points(shape, [from, to]).iter().all(|&p| off(p, surfaces) <= most))
         .unwrap_or_else(|| Shape::Spline(through(samples, surfaces)))
@@ -220,11 +220,11 @@ pub(super) fn gap(found: &Brep) -> f64 {
 
 /// The patches whose edges lie off their surface by more than its points explain.
 pub(super) fn astray(found: &Brep, patches: &Patches) -> BTreeSet<u32> {
-    let size = found.vertices.iter().flatten().fold(1.0, |m: f64, c| m.max(c.abs()));
+    let rounding = rounding(&found.vertices);
     let most = |p: u32| {
         let patch = &patches.patches[p as usize];
         let spacing = (patch.area / patch.points.max(1) as f64).sqrt();
-        ASTRAY * patch.fit.residual.max(FLOOR * spacing) + ROUNDING * size
+        ASTRAY * patch.fit.residual.max(FLOOR * spacing) + rounding
     };
     gaps(found).filter(|&(p, gap)| !gap.is_finite() || gap > most(p)).map(|(p, _)| p).collect()
 }

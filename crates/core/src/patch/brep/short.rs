@@ -1,19 +1,20 @@
 //! Edges without length: where surfaces meet in one point that the network has as two nodes.
 
 use super::Brep;
+use super::vertex::rounding;
 use crate::curve::pieces::Shape;
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::distance;
 
-/// Share of the size of a place up to which vertices are one: programs of CAD tell shorter edges from none no more.
-const SHORT: f64 = 1e-7;
+/// Multiple of what rounding leaves up to which vertices are one: programs of CAD tell shorter edges from none no more.
+const SHORT: f64 = 100.0;
 
 /// Takes edges out whose ends are one point, and makes the ends one vertex.
 pub(super) fn collapse(found: &mut Brep) {
-    let size = found.vertices.iter().flatten().fold(1.0, |m: f64, c| m.max(c.abs()));
+    let most = SHORT * rounding(&found.vertices);
     let none = |e: &super::Edge| {
         let [a, b] = e.ends.map(|v| found.vertices[v as usize]);
-        e.shape == Shape::Line && distance(a, b) <= SHORT * size
+        e.shape == Shape::Line && distance(a, b) <= most
     };
     let short: Vec<bool> = found.edges.iter().map(none).collect();
     if !short.contains(&true) {

@@ -46,6 +46,19 @@ fn a_cube_is_a_closed_shell_whose_edges_lie_on_its_planes() {
 }
 
 #[test]
+fn a_small_part_on_a_map_keeps_its_edges() {
+    let part = cube(0.1).sample(&Scan::new(Sampling::Area { count: 15_000 }).seed(1));
+    let moved = part.cloud.positions.iter().map(|p| [p[0] + 665_186.25, p[1] + 5_648_349.5, p[2] + 241.5]);
+    let mut params = crate::Params { method: crate::Method::Segments, ..Default::default() };
+    params.patches.find = crate::params::Auto::Given(true);
+    let found = crate::extract(&crate::Cloud::new(moved.collect()), &params).unwrap();
+    let brep = brep(&found.network, found.patches.as_ref().unwrap());
+    assert!(brep.omitted.is_empty() && brep.shells[0].closed, "{:?}", brep.omitted);
+    assert_eq!((brep.vertices.len(), brep.edges.len()), (8, 12));
+    assert!(brep.gap < 1e-8, "{}", brep.gap);
+}
+
+#[test]
 fn a_bracket_with_bore_and_boss_is_a_closed_shell() {
     let brep = of(&bracket(), 60_000, 0.05);
     assert!(brep.omitted.is_empty(), "{:?}", brep.omitted);

@@ -8,6 +8,9 @@ use crate::patch::patches::Patches;
 /// Steps of Gauss and Newton at most, and the share of a place's size below which a step ends them.
 const STEPS: usize = 40;
 const ROUNDING: f64 = 1e-15;
+/// Shares of extent and coordinates that rounding leaves.
+const OF_EXTENT: f64 = 1e-9;
+const OF_COORDINATES: f64 = 1e-14;
 /// Weight of staying against lying on the surfaces, in each step: surfaces that touch move a point along them by little at a time.
 const STAY: f64 = 1e-3;
 
@@ -136,4 +139,12 @@ pub(super) fn axis(surface: &Surface) -> Option<([f64; 3], [f64; 3])> {
 pub(super) fn radial((on, axis): ([f64; 3], [f64; 3]), p: [f64; 3]) -> [f64; 3] {
     let d = sub(p, on);
     add_scaled(d, axis, -dot(d, axis))
+}
+
+/// What rounding leaves between places: a share of their extent, and of their coordinates, which on maps are far greater.
+pub(super) fn rounding(points: &[[f64; 3]]) -> f64 {
+    let of = |pick: fn(f64, f64) -> f64, k: usize| points.iter().map(|p| p[k]).reduce(pick).unwrap_or(0.0);
+    let sides = (0..3).map(|k| of(f64::max, k) - of(f64::min, k)).fold(0.0, f64::max);
+    let most = points.iter().flatten().fold(0.0, |most: f64, c| most.max(c.abs()));
+    OF_EXTENT * sides + OF_COORDINATES * most
 }

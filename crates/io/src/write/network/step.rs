@@ -7,12 +7,13 @@ use lineament::math::vec3::{add_scaled, perpendicular};
 use lineament::{Network, Strip, StripKind};
 use std::io::{self, Write};
 
-/// Share of the greatest coordinate up to which curves that meet may lie apart: what rounding leaves.
-const ROUNDING: f64 = 1e-9;
+/// Shares of extent and coordinates up to which curves that meet may lie apart.
+const OF_EXTENT: f64 = 1e-9;
+const OF_COORDINATES: f64 = 1e-14;
 
 /// Writes the typed curves of each strip, a polyline where it has none.
 pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkContext) -> io::Result<()> {
-    let mut step = Step::begin(out, &head(context, ROUNDING * size(network)))?;
+    let mut step = Step::begin(out, &head(context, rounding(network)))?;
     let place = step.placement([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0])?;
     let mut sets: Vec<(StripKind, Id)> = Vec::new();
     for (number, strip) in network.strips.iter().enumerate() {
@@ -47,10 +48,22 @@ pub(in crate::write) fn head(context: &NetworkContext, uncertainty: f64) -> Head
     }
 }
 
-/// The greatest coordinate, at least 1.
-pub(in crate::write) fn size(network: &Network) -> f64 {
-    let points = network.strips.iter().flat_map(|s| &s.points);
-    points.flatten().fold(1.0, |most: f64, c| most.max(c.abs()))
+/// What rounding leaves between places of a network: a share of its extent, and of its coordinates, which on maps are far greater.
+pub(in crate::write) fn rounding(network: &Network) -> f64 {
+    let Some([low, high]) = extent(network) else { return OF_EXTENT };
+    let side = (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
+    let most = low.iter().chain(&high).fold(0.0, |most: f64, c| most.max(c.abs()));
+    (OF_EXTENT * side + OF_COORDINATES * most).max(f64::MIN_POSITIVE)
+}
+
+/// Least and greatest corner of all points.
+fn extent(network: &Network) -> Option<[[f64; 3]; 2]> {
+    let points = || network.strips.iter().flat_map(|s| &s.points);
+    let first = *points().next()?;
+    let corner = |pick: fn(f64, f64) -> f64| {
+        points().fold(first, |a, p| [pick(a[0], p[0]), pick(a[1], p[1]), pick(a[2], p[2])])
+    };
+    Some([corner(f64::min), corner(f64::max)])
 }
 
 fn curves(step: &mut Step, strip: &Strip) -> io::Result<Vec<Id>> {

@@ -2,19 +2,16 @@
 
 use crate::write::encode::step::{Id, List, Real, Step, Text};
 use crate::write::network::NetworkContext;
-use crate::write::network::step::{head, size};
+use crate::write::network::step::{head, rounding};
 use lineament::Network;
 use lineament::curve::pieces::Shape;
 use lineament::math::vec3::{add_scaled, dot, sub};
 use lineament::patch::{Brep, Edge, Face, Shell, Surface, brep};
 use std::io::{self, Write};
 
-/// Share of the greatest coordinate that rounding leaves.
-const ROUNDING: f64 = 1e-9;
-
 pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkContext) -> io::Result<()> {
     let found = context.patches.as_ref().map(|p| brep(network, p)).unwrap_or_default();
-    let head = head(context, found.gap.max(ROUNDING * size(network)));
+    let head = head(context, found.gap.max(rounding(network)));
     let mut step = Step::begin(out, &head)?;
     let vertices: Vec<Id> =
         found.vertices.iter().map(|&v| vertex(&mut step, v)).collect::<io::Result<_>>()?;
