@@ -26,7 +26,7 @@ const KINDS: [Kind; 5] = [
     Kind { name: "gauss", sizes: &[10_000, 50_000, 200_000], cloud: gauss, run: lines },
     Kind { name: "volume", sizes: &[10_000, 50_000, 200_000], cloud: volume, run: lines },
     Kind { name: "trees", sizes: &[10_000, 50_000, 200_000], cloud: trees, run: lines },
-    Kind { name: "lattice", sizes: &[100, 1_000, 10_000], cloud: lattice, run: lines },
+    Kind { name: "lattice", sizes: &[100, 1_000, 10_000, 25_000], cloud: lattice, run: lines },
     Kind { name: "plate", sizes: &[25, 100, 400], cloud: plate, run: slices },
 ];
 

@@ -76,8 +76,8 @@ fn seeds(field: &Field, apart: f64) -> Vec<usize> {
     for i in field.near.iter().map(|&i| i as usize) {
         let certain = field.along(i).is_some_and(|(_, grade)| grade >= CERTAIN);
         if certain && !gone[i] && field.changes(i) {
-            let radius = apart * field.scales.at(i).spacing;
-            field.index.around(field.points[i], radius, |f| gone[f.index as usize] = true);
+            let h = field.scales.at(i).spacing;
+            field.around(field.points[i], apart, h, |f| gone[f.index as usize] = true);
             seeds.push(i);
         }
     }

@@ -90,26 +90,55 @@ impl Index {
     /// Passes all points within `radius` of `query`, the bound included, to `take`, in an order that depends on the points alone.
     pub fn around(&self, query: [f64; 3], radius: f64, mut take: impl FnMut(Found)) {
         if !self.is_empty() {
-            self.descend(query, radius * radius, self.levels.len(), 0, &mut take);
+            self.descend(query, radius * radius, self.levels.len(), 0, &mut |found| {
+                take(found);
+                true
+            });
         }
     }
 
-    /// Passes the points within the squared distance `bound` below an entry of a level to `take`; level 0 are the leaves.
-    fn descend(&self, query: [f64; 3], bound: f64, level: usize, entry: usize, take: &mut impl FnMut(Found)) {
+    /// As `around`, but ends where there are more than `most` points, and then is false.
+    pub(crate) fn around_at_most(
+        &self,
+        query: [f64; 3],
+        radius: f64,
+        most: usize,
+        mut take: impl FnMut(Found),
+    ) -> bool {
+        let mut left = most;
+        let mut take = |found| {
+            let more = left > 0;
+            if more {
+                left -= 1;
+                take(found);
+            }
+            more
+        };
+        self.is_empty() || self.descend(query, radius * radius, self.levels.len(), 0, &mut take)
+    }
+
+    /// Passes the points within the squared distance `bound` below an entry of a level to `take`, until it is false: then this is
+    /// false, too. Level 0 are the leaves.
+    fn descend(
+        &self,
+        query: [f64; 3],
+        bound: f64,
+        level: usize,
+        entry: usize,
+        take: &mut impl FnMut(Found) -> bool,
+    ) -> bool {
         let Some(below) = level.checked_sub(1) else {
             let leaf = &self.leaves[entry];
-            for (lane, &distance2) in leaf.distances2(query).iter().enumerate() {
-                if distance2 <= bound && distance2 < f64::INFINITY {
-                    take(Found { distance2, index: leaf.id[lane] });
-                }
-            }
-            return;
+            let mut lanes = leaf.distances2(query).into_iter().zip(leaf.id);
+            return lanes.all(|(distance2, index)| {
+                !(distance2 <= bound && distance2 < f64::INFINITY) || take(Found { distance2, index })
+            });
         };
-        for (child, &d) in self.levels[below][entry].distances2(query).iter().enumerate() {
-            if d <= bound && d < f64::INFINITY {
-                self.descend(query, bound, below, entry * WIDTH + child, take);
-            }
-        }
+        let mut children = self.levels[below][entry].distances2(query).into_iter().enumerate();
+        children.all(|(child, d)| {
+            !(d <= bound && d < f64::INFINITY)
+                || self.descend(query, bound, below, entry * WIDTH + child, take)
+        })
     }
 
     /// Passes every point that can be within the squared distance `bound` to `take`, near boxes first; `take` returns the new

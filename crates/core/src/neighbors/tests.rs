@@ -158,6 +158,14 @@ fn queries_anywhere_find_what_brute_force_finds() {
             index.within(query, radius, &mut out);
             let inside = all.partition_point(|f| f.distance2 <= radius * radius);
             assert_eq!(out, all[..inside], "{name}");
+            for most in [inside, inside + 5, inside / 2] {
+                let whole = most >= inside;
+                out.clear();
+                assert_eq!(index.around_at_most(query, radius, most, |f| out.push(f)), whole, "{name}");
+                out.sort_unstable_by(Found::order);
+                assert_eq!(out.len(), most.min(inside), "{name}");
+                assert!(!whole || out == all[..inside], "{name}");
+            }
         }
     }
 }

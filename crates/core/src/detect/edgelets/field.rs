@@ -3,7 +3,7 @@
 use crate::math::eigen3::{Eigen3, eigen3};
 use crate::math::tensor::add_product;
 use crate::math::vec3::{add, add_scaled, dot, scale, sub, unit};
-use crate::neighbors::Index;
+use crate::neighbors::{Found, Index};
 use crate::parallel;
 use crate::surface::Scales;
 
@@ -23,6 +23,9 @@ const CHANGE: (f64, f64) = (3.2, 0.966);
 const ACROSS: f64 = 1.3;
 /// Scale of a tube along without noise, in spacings, what a spacing of noise adds, and the greatest.
 const ALONG: (f64, f64, f64) = (3.0, 14.0, 7.0);
+/// A place is crowded where a reach holds so many times the points of an even plane: sampling is too uneven there for reaches in
+/// its spacing, which would hold a good part of the cloud.
+const CROWDED: f64 = 8.0;
 /// Exponent at which the weights of a tube end.
 const END: f64 = 6.9;
 /// Exponent at which the weight of a point of another face is nothing.
@@ -86,15 +89,15 @@ impl<'a> Field<'a> {
             let spread = SPREAD[round.min(1)];
             let fitted = parallel::map_with(field.near.len(), parallel::SLOW, |tube: &mut Vec<InTube>, r| {
                 let row = &field.rows[r];
-                match row.tensor.bend > BEND {
-                    true => field.fit(field.near[r] as usize, row.tensor.along, spread, tube),
-                    false => (row.normal, row.place),
-                }
+                let fit = (row.tensor.bend > BEND)
+                    .then(|| field.fit(field.near[r] as usize, row.tensor.along, spread, tube));
+                fit.flatten().unwrap_or((row.normal, row.place))
             });
             field.rows.iter_mut().zip(fitted).for_each(|(row, fit)| (row.normal, row.place) = fit);
             let tensors =
                 parallel::map(field.near.len(), parallel::SLOW, |r| field.tensor(field.near[r] as usize));
-            field.rows.iter_mut().zip(tensors).for_each(|(row, tensor)| row.tensor = tensor);
+            let tensors = field.rows.iter_mut().zip(tensors);
+            tensors.for_each(|(row, tensor)| row.tensor = tensor.unwrap_or(row.tensor));
         }
         field
     }
@@ -120,10 +123,15 @@ impl<'a> Field<'a> {
         let (reach, cosine) = CHANGE;
         let own = self.normal(i);
         let mut turns = 0;
-        self.index.around(self.points[i], reach * self.scales.at(i).spacing, |f| {
+        self.around(self.points[i], reach, self.scales.at(i).spacing, |f| {
             turns += u32::from(dot(self.normal(f.index as usize), own).abs() < cosine);
-        });
-        turns > 1
+        }) && turns > 1
+    }
+
+    /// Passes the points within `reach` spacings `h` of a place to `take`; false, and not all of them, where it is crowded.
+    pub(super) fn around(&self, place: [f64; 3], reach: f64, h: f64, take: impl FnMut(Found)) -> bool {
+        let most = (CROWDED * std::f64::consts::PI * reach * reach) as usize;
+        self.index.around_at_most(place, reach * h, most, take)
     }
 
     /// Finds the points near folds, from places spread over the cloud.
@@ -132,50 +140,55 @@ impl<'a> Field<'a> {
         let mut passed = vec![false; self.points.len()];
         let mut places: Vec<usize> = Vec::new();
         for i in 0..self.points.len() {
-            if !passed[i] {
-                let radius = apart * self.scales.at(i).spacing;
-                self.index.around(self.points[i], radius, |f| passed[f.index as usize] = true);
+            let h = self.scales.at(i).spacing;
+            if !passed[i] && self.around(self.points[i], apart, h, |f| passed[f.index as usize] = true) {
                 places.push(i);
             }
         }
-        let bends = parallel::map(places.len(), parallel::SLOW, |k| self.tensor(places[k]).bend > WORTH);
+        let bends = |k: usize| self.tensor(places[k]).is_some_and(|t| t.bend > WORTH);
+        let bends = parallel::map(places.len(), parallel::SLOW, bends);
+        let mut near = vec![false; self.points.len()];
         for (&i, _) in places.iter().zip(bends).filter(|(_, bends)| *bends) {
-            let radius = reach * self.scales.at(i).spacing;
-            self.index.around(self.points[i], radius, |f| self.row[f.index as usize] = 0);
+            let h = self.scales.at(i).spacing;
+            self.around(self.points[i], reach, h, |f| near[f.index as usize] = true);
         }
-        self.near = (0..self.points.len() as u32).filter(|&i| self.row[i as usize] != FAR).collect();
-        self.near.iter().zip(0..).for_each(|(&i, r)| self.row[i as usize] = r);
-        let row = |r: usize| {
-            let i = self.near[r] as usize;
-            let normal = unit(self.flat[i].map(f64::from));
-            Row { normal, place: self.points[i], tensor: self.tensor(i) }
+        let row = |i: u32| {
+            let (i, own) = (i as usize, self.points[i as usize]);
+            Some(Row { normal: unit(self.flat[i].map(f64::from)), place: own, tensor: self.tensor(i)? })
         };
-        self.rows = parallel::map(self.near.len(), parallel::SLOW, row);
+        let near: Vec<u32> = (0..self.points.len() as u32).filter(|&i| near[i as usize]).collect();
+        let rows = parallel::map(near.len(), parallel::SLOW, |k| row(near[k]));
+        (self.near, self.rows) = near.into_iter().zip(rows).filter_map(|(i, row)| Some((i, row?))).unzip();
+        self.near.iter().zip(0..).for_each(|(&i, r)| self.row[i as usize] = r);
     }
 
-    fn tensor(&self, i: usize) -> Tensor {
+    /// The tensor at point `i`; `None` where it is crowded.
+    fn tensor(&self, i: usize) -> Option<Tensor> {
         let h = self.scales.at(i).spacing;
         let (mut m, mut sum) = ([0.0; 6], 0.0);
         let (wide, reach) = TENSOR;
         let scale = -1.0 / (wide * h * wide * h);
-        self.index.around(self.points[i], reach * h, |f| {
+        let all = self.around(self.points[i], reach, h, |f| {
             let w = (f.distance2 * scale).exp();
             add_product(&mut m, self.normal(f.index as usize), w);
             sum += w;
         });
         let Eigen3 { values: [least, middle, _], vectors } = eigen3(&m);
-        Tensor { along: vectors[0], bend: middle / sum, grade: (middle - least) / middle.max(1e-12) }
+        let tensor =
+            Tensor { along: vectors[0], bend: middle / sum, grade: (middle - least) / middle.max(1e-12) };
+        all.then_some(tensor)
     }
 
-    /// The points in the tube around point `i`.
-    fn tube(&self, i: usize, along: [f64; 3], tube: &mut Vec<InTube>) {
+    /// The points in the tube around point `i`; false where it is crowded.
+    fn tube(&self, i: usize, along: [f64; 3], tube: &mut Vec<InTube>) -> bool {
         let resolution = self.scales.at(i);
         let h = resolution.spacing;
         let (least, noisy, most) = ALONG;
-        let long = (least + noisy * resolution.noise / h).min(most) * h;
+        let reach = (least + noisy * resolution.noise / h).min(most);
+        let long = reach * h;
         let own = self.points[i];
         tube.clear();
-        self.index.around(own, 1.5 * long, |f| {
+        self.around(own, 1.5 * reach, h, |f| {
             let d = sub(self.points[f.index as usize], own);
             let a = dot(d, along);
             let across2 = (f.distance2 - a * a).max(0.0);
@@ -183,13 +196,21 @@ impl<'a> Field<'a> {
             if e < END {
                 tube.push((f.index, d, (-e).exp()));
             }
-        });
+        })
     }
 
     /// Normal and place of point `i`: the plane of the points of its own face in its tube, by weights that are taken anew from each
-    /// plane.
-    fn fit(&self, i: usize, along: [f64; 3], spread: f64, tube: &mut Vec<InTube>) -> ([f64; 3], [f64; 3]) {
-        self.tube(i, along, tube);
+    /// plane. `None` where it is crowded.
+    fn fit(
+        &self,
+        i: usize,
+        along: [f64; 3],
+        spread: f64,
+        tube: &mut Vec<InTube>,
+    ) -> Option<([f64; 3], [f64; 3])> {
+        if !self.tube(i, along, tube) {
+            return None;
+        }
         let resolution = self.scales.at(i);
         let (thick, least) = THICK;
         let own = self.points[i];
@@ -216,6 +237,6 @@ impl<'a> Field<'a> {
             n = eigen3(&m).vectors[0];
             foot = scale(n, dot(centre, n));
         }
-        (n, add(own, foot))
+        Some((n, add(own, foot)))
     }
 }

@@ -48,7 +48,7 @@ struct Station {
 }
 
 impl Section {
-    /// Takes the section at a point; false where the field has no direction.
+    /// Takes the section at a point; false where the field has no direction, or where it comes to a crowded place.
     pub(super) fn take(&mut self, field: &Field, seed: usize) -> bool {
         let Some((along, _)) = field.along(seed) else { return false };
         let resolution = field.scales.at(seed);
@@ -62,26 +62,30 @@ impl Section {
         self.noise = resolution.noise / resolution.spacing;
         self.points.clear();
         self.stations = 1;
-        self.pool(field, &start);
+        if !self.pool(field, &start) {
+            return false;
+        }
         let (fewest, noisy, most) = STATIONS;
         let reach = (fewest + noisy * self.noise).min(most) as usize;
         for sign in [-1.0, 1.0] {
             let mut at = start;
             for _ in 0..reach {
                 let Some(next) = step(field, &at, sign * self.unit) else { break };
+                if !self.pool(field, &next) {
+                    return false;
+                }
                 at = next;
-                self.pool(field, &at);
                 self.stations += 1;
             }
         }
         self.points.len() >= FEW
     }
 
-    /// Adds the points beside a station.
-    fn pool(&mut self, field: &Field, station: &Station) {
+    /// Adds the points beside a station; false where it is crowded.
+    fn pool(&mut self, field: &Field, station: &Station) -> bool {
         let [along, u, v] = station.axes;
         let per = 1.0 / self.unit;
-        field.index.around(station.place, WIDE * self.unit, |f| {
+        field.around(station.place, WIDE, self.unit, |f| {
             let j = f.index as usize;
             let d = scale(sub(field.points[j], station.place), per);
             if !(-0.5..0.5).contains(&dot(d, along)) {
@@ -99,7 +103,7 @@ impl Section {
                 place: [dot(q, u), dot(q, v)],
                 normal: normal.map(|x| x / length),
             });
-        });
+        })
     }
 
     /// A direction or offset of the section in space.
@@ -124,7 +128,7 @@ fn step(field: &Field, at: &Station, length: f64) -> Option<Station> {
 /// The direction of the field at a place, with the sign of a direction near it.
 fn direction(field: &Field, place: [f64; 3], near: [f64; 3], h: f64) -> Option<[f64; 3]> {
     let (mut sum, mut weight) = ([0.0; 3], 0.0);
-    field.index.around(place, 2.0 * h, |f| {
+    let all = field.around(place, 2.0, h, |f| {
         if let Some((along, grade)) = field.along(f.index as usize) {
             let w = grade * (-f.distance2 / (h * h)).exp();
             sum = add_scaled(sum, along, w * dot(along, near).signum());
@@ -132,5 +136,5 @@ fn direction(field: &Field, place: [f64; 3], near: [f64; 3], h: f64) -> Option<[
         }
     });
     let (least, share) = CERTAIN;
-    (weight > least && norm(sum) > share * weight).then(|| unit(sum))
+    (all && weight > least && norm(sum) > share * weight).then(|| unit(sum))
 }

@@ -80,6 +80,14 @@ fn beyond_the_greatest_noise_and_without_normals_there_are_none() {
 }
 
 #[test]
+fn places_with_many_times_the_points_of_a_plane_have_none() {
+    let (points, normals) = ridge(1.0, 0.0);
+    let wide = |spacing| Resolution { spacing, noise: 0.0 }.into();
+    assert!(!edgelets(&points, &normals, wide(1.4), &EdgeletParams::default()).is_empty());
+    assert!(edgelets(&points, &normals, wide(6.0), &EdgeletParams::default()).is_empty());
+}
+
+#[test]
 fn moments_give_the_parabola_that_the_points_lie_on_in_any_frame() {
     // Nearly straight, so that the prior counts little beside 200 exact points.
     for angle in [0.0f64, 0.7, 2.0, -1.3] {
