@@ -11,12 +11,19 @@ use crate::section::result::Sections;
 
 /// Number of angles that are tried first, over half a turn.
 const ANGLES: usize = 180;
-/// Slices that mirrors are sought in at first, and points of each of their contours.
-const FIRST_LOOK: (usize, usize) = (8, 64);
+/// Slices that mirrors are sought in at first, most of their contours, taken at even steps, and points of each of these.
+const FIRST_LOOK: (usize, usize, usize) = (8, 256, 64);
 /// Points of a contour that are mirrored to be sure.
 const POINTS: usize = 256;
 /// Most mirrors told: a round stack has any number.
 const MOST_MIRRORS: usize = 16;
+
+/// A contour with its slice.
+type Contour<'a> = (&'a Slice<'a>, &'a Profile);
+
+fn contours<'a>(slice: &'a Slice<'a>) -> impl Iterator<Item = Contour<'a>> {
+    slice.profiles.iter().map(move |p| (slice, p))
+}
 
 /// The mirrors of a stack of closed contours; none where all are circles about one point. Sought in a few slices, and
 /// held against all.
@@ -28,11 +35,13 @@ pub(super) fn mirrors(levels: &[Vec<Profile>], sections: &Sections, tolerance: f
         return Vec::new();
     }
     let enough = 1.5 * tolerance;
-    let all_slices: Vec<&Slice> = filled.iter().collect();
-    let few: Vec<&Slice> = filled.iter().step_by(filled.len().div_ceil(FIRST_LOOK.0)).collect();
-    let off = |angle: f64| worst(&few, centre, angle, FIRST_LOOK.1, 20.0 * enough);
+    let every: Vec<Contour> = filled.iter().flat_map(contours).collect();
+    let few: Vec<Contour> =
+        filled.iter().step_by(filled.len().div_ceil(FIRST_LOOK.0)).flat_map(contours).collect();
+    let few: Vec<Contour> = few.iter().step_by(few.len().div_ceil(FIRST_LOOK.1)).copied().collect();
+    let off = |angle: f64| worst(&few, centre, angle, FIRST_LOOK.2, 20.0 * enough);
     let sure = |angle: f64| {
-        let residual = worst(&all_slices, centre, angle, POINTS, enough);
+        let residual = worst(&every, centre, angle, POINTS, enough);
         (residual <= enough).then_some((residual, angle))
     };
     let candidates = candidates(&off, enough);
@@ -80,17 +89,17 @@ fn concentric(all: &[&Profile], tolerance: f64) -> bool {
 
 /// Mean distance of mirrored points from the contours of the same slice: the greatest over the contours, but for one in
 /// ten, as a slice through an edge is drawn by chance. The value so far once too many are beyond `enough`.
-fn worst(slices: &[&Slice], centre: [f64; 2], angle: f64, points: usize, enough: f64) -> f64 {
+fn worst(contours: &[Contour], centre: [f64; 2], angle: f64, points: usize, enough: f64) -> f64 {
     let direction = [angle.cos(), angle.sin()];
     let image = |p: [f64; 2]| {
         let d = sub(p, centre);
         let turned = along([0.0; 2], direction, 2.0 * dot(d, direction));
         along(centre, sub(turned, d), 1.0)
     };
-    let spared = slices.iter().map(|s| s.profiles.len()).sum::<usize>() / 10;
+    let spared = contours.len() / 10;
     // The greatest so far, ascending: as many as are spared, and one.
     let mut greatest: Vec<f64> = Vec::new();
-    for (slice, profile) in slices.iter().flat_map(|slice| slice.profiles.iter().map(move |p| (slice, p))) {
+    for (slice, profile) in contours {
         let (mut sum, mut count) = (0.0, 0.0);
         for p in profile.some(points) {
             sum += slice.off(profile.hole, image(p));
