@@ -14,7 +14,7 @@ use crate::params::{Method, Params, PenaltyForm, SegmentForm};
 use crate::patch::{self, Ground, Patches};
 use crate::pattern::Pattern;
 use crate::prepare::Prepared;
-use crate::recover::{recover, take_back};
+use crate::recover::{close_rings, recover, take_back};
 
 /// The parameters for a detector of the caller's own: its measure goes to the linker of the method `penalty`.
 pub(crate) fn with_own_detector(params: &Params) -> Params {
@@ -51,7 +51,11 @@ pub(crate) fn link(
         _ if !cloud.has_surface() => Default::default(),
         Method::Auto | Method::Penalty | Method::Projection => {
             let rule = cycle_rule(cloud, params);
-            (link::link(&cloud.graph, measure, cloud.scales(), params, rule), None)
+            let mut pattern = link::link(&cloud.graph, measure, cloud.scales(), params, rule);
+            if params.method == Method::Auto && params.penalty.form == PenaltyForm::Robust {
+                close_rings(&mut pattern.crease, &cloud.positions, cloud.scales());
+            }
+            (pattern, None)
         }
         Method::Segments => {
             let (pattern, stages) = segments::link(cloud, measure, params, cycle_rule(cloud, params));

@@ -2,12 +2,14 @@
 
 mod faces;
 mod nodes;
+mod rings;
 mod spline;
 mod tidy;
 mod verify;
 mod world;
 
 pub(crate) use faces::refit;
+pub(crate) use rings::close as close_rings;
 pub(crate) use spline::span_spacings;
 pub use verify::take_back;
 pub use world::to_world;

@@ -15,15 +15,16 @@ use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::network::{Network, Strip, StripKind};
 use crate::parallel;
 use crate::surface::Scales;
-use fitted::Fitted;
-use lengths::Lengths;
-use solve::fit;
-use sweep::Sweep;
+pub(super) use fitted::Fitted;
+pub(super) use lengths::Lengths;
+pub(super) use profile::Profile;
+pub(super) use solve::fit;
+pub(super) use sweep::{Seen, Sweep};
 
 /// Fewest points on a face.
-const FACE_POINTS: usize = 8;
+pub(super) const FACE_POINTS: usize = 8;
 /// Least sine of the fold.
-const FOLD_SINE: f64 = 0.2;
+pub(super) const FOLD_SINE: f64 = 0.2;
 /// Points of the path that the prior holds.
 const HELD: usize = 5;
 /// Length of a piece, in spacings, from which on the points beside its ends are left to the faces there.

@@ -1,16 +1,19 @@
 //! The edge of two faces as fitted, and how well it is known.
 
+use super::profile::Profile;
 use super::sweep::{POSE, Sweep};
 use crate::curve::pieces::Sigma;
 
 /// Unknowns of the fit: the pose, the shift of the edge, angle and bend of each face.
-pub(super) const UNKNOWNS: usize = POSE + 6;
+pub(in crate::recover) const UNKNOWNS: usize = POSE + 6;
 
 /// The edge as fitted.
 #[derive(Clone, Debug)]
-pub(super) struct Fitted {
+pub(in crate::recover) struct Fitted {
     /// Its path.
     pub sweep: Sweep,
+    /// The faces across it.
+    pub profile: Profile,
     /// Points on each face.
     pub counts: [usize; 2],
     /// Covariance of the pose, the shift, and the faces.
@@ -23,7 +26,7 @@ pub(super) struct Fitted {
 
 impl Fitted {
     /// Standard deviations of the path's parameters.
-    pub(super) fn sigma(&self) -> Option<Sigma> {
+    pub(in crate::recover) fn sigma(&self) -> Option<Sigma> {
         let c = &self.covariance;
         match &self.sweep {
             Sweep::Line { half, .. } => Some(Sigma::Line {

@@ -4,7 +4,7 @@ use crate::resolution::Resolution;
 
 /// In the unit of the points.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Lengths {
+pub(in crate::recover) struct Lengths {
     /// Mean spacing of the points.
     pub spacing: f64,
     /// Points nearer to the edge are left out: they may belong to either face.
@@ -27,7 +27,7 @@ pub(super) struct Lengths {
 
 impl Lengths {
     /// For the spacing and the noise of a place.
-    pub(super) fn of(Resolution { spacing, noise }: Resolution) -> Self {
+    pub(in crate::recover) fn of(Resolution { spacing, noise }: Resolution) -> Self {
         let gate = noise.max(0.2 * spacing);
         Self {
             spacing,
@@ -43,7 +43,7 @@ impl Lengths {
     }
 
     /// Whether a place across the path is far enough from the edge, and near enough, to say where the faces lie.
-    pub(super) fn on_faces(&self, [x, y]: [f64; 2]) -> bool {
+    pub(in crate::recover) fn on_faces(&self, [x, y]: [f64; 2]) -> bool {
         (self.clear..=self.reach).contains(&x.hypot(y))
     }
 }

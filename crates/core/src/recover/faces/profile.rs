@@ -12,7 +12,7 @@ const APART: usize = 4;
 
 /// One face in the cross-section.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Face {
+pub(in crate::recover) struct Face {
     /// Angle of its direction away from the edge.
     pub angle: f64,
     /// Its curvature at the edge, positive to the left of one who leaves the edge.
@@ -21,14 +21,14 @@ pub(super) struct Face {
 
 /// A point relative to a face: how far from the edge along the face, and how far off the face to the left.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(in crate::recover) struct Place {
     pub along: f64,
     pub off: f64,
 }
 
 impl Face {
     /// Where a point of the cross-section lies.
-    pub(super) fn place(&self, [x, y]: [f64; 2]) -> Place {
+    pub(in crate::recover) fn place(&self, [x, y]: [f64; 2]) -> Place {
         let (sin, cos) = self.angle.sin_cos();
         let along = cos * x + sin * y;
         Place { along, off: cos * y - sin * x - 0.5 * self.bend * along * along }
@@ -43,13 +43,13 @@ impl Face {
 
 /// The two faces.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Profile {
+pub(in crate::recover) struct Profile {
     pub faces: [Face; 2],
 }
 
 impl Profile {
     /// The two directions from the edge near which most points lie.
-    pub(super) fn start(seen: &[Seen]) -> Option<Self> {
+    pub(in crate::recover) fn start(seen: &[Seen]) -> Option<Self> {
         let mut counts = [0.0; DIRECTIONS];
         let step = TAU / DIRECTIONS as f64;
         for s in seen {
@@ -78,14 +78,14 @@ impl Profile {
     }
 
     /// The face to which a point belongs, and its place there.
-    pub(super) fn nearest(&self, at: [f64; 2]) -> (usize, Place) {
+    pub(in crate::recover) fn nearest(&self, at: [f64; 2]) -> (usize, Place) {
         let [a, b] = &self.faces;
         let k = usize::from(b.distance(at) < a.distance(at));
         (k, self.faces[k].place(at))
     }
 
     /// The sine of the angle by which the faces fold.
-    pub(super) fn fold_sine(&self) -> f64 {
+    pub(in crate::recover) fn fold_sine(&self) -> f64 {
         (self.faces[0].angle - self.faces[1].angle).sin().abs()
     }
 }

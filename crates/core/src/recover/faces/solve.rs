@@ -50,7 +50,12 @@ impl Normal {
 }
 
 /// Fits the edge along `sweep` to the points near it. `held` are points of the path that the prior holds.
-pub(super) fn fit(points: &[[f64; 3]], held: &[[f64; 3]], sweep: Sweep, lengths: Lengths) -> Option<Fitted> {
+pub(in crate::recover) fn fit(
+    points: &[[f64; 3]],
+    held: &[[f64; 3]],
+    sweep: Sweep,
+    lengths: Lengths,
+) -> Option<Fitted> {
     let mut sweep = sweep;
     let start: Vec<Seen> = points.iter().map(|&p| sweep.see(p)).filter(|s| lengths.on_faces(s.at)).collect();
     let mut profile = Profile::start(&start)?;
@@ -69,7 +74,8 @@ pub(super) fn fit(points: &[[f64; 3]], held: &[[f64; 3]], sweep: Sweep, lengths:
             face.bend += step[BENDS + k];
         }
         let covariance = covariance(normal.matrix, spread, lengths)?;
-        fitted = Some(Fitted { sweep, counts, covariance, fold_sine: profile.fold_sine(), spread });
+        let fold_sine = profile.fold_sine();
+        fitted = Some(Fitted { sweep, profile, counts, covariance, fold_sine, spread });
         scale = spread.max(0.5 * scale);
     }
     fitted

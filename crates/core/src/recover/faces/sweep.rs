@@ -6,11 +6,11 @@ use crate::math::vec3::{add_scaled, cross, dot, norm, perpendicular, scale, sub,
 
 /// Parameters of a path's pose beside the two shifts of the whole cross-section: of a line its two slopes, of a circle two shifts
 /// of the centre and two tilts, all as lengths.
-pub(super) const POSE: usize = 4;
+pub(in crate::recover) const POSE: usize = 4;
 
 /// The path of a cross-section.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Sweep {
+pub(in crate::recover) enum Sweep {
     /// A straight line.
     Line {
         /// The middle of its stretch.
@@ -33,7 +33,7 @@ pub(super) enum Sweep {
 
 /// A point as the path sees it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
+pub(in crate::recover) struct Seen {
     /// Coordinates across the path; of a circle outwards and along its axis.
     pub at: [f64; 2],
     /// Length along the path: from the middle of a line, from phase 0 of a circle.
@@ -44,7 +44,7 @@ pub(super) struct Seen {
 
 impl Sweep {
     /// The path of a piece; `None` for splines.
-    pub(super) fn of(piece: &Piece) -> Option<Self> {
+    pub(in crate::recover) fn of(piece: &Piece) -> Option<Self> {
         match &piece.shape {
             Shape::Line => {
                 let chord = sub(piece.to, piece.from);
@@ -62,7 +62,7 @@ impl Sweep {
     }
 
     /// The phases between which a piece on the path lies.
-    pub(super) fn range(&self, piece: &Piece) -> (f64, f64) {
+    pub(in crate::recover) fn range(&self, piece: &Piece) -> (f64, f64) {
         match (self, &piece.shape) {
             (Sweep::Line { half, .. }, _) => (-half, *half),
             (Sweep::Round { round, .. }, Shape::Arc { sweep, .. }) => (0.0, sweep * round.radius),
@@ -71,7 +71,7 @@ impl Sweep {
     }
 
     /// The point of the path at a phase.
-    pub(super) fn point(&self, phase: f64) -> [f64; 3] {
+    pub(in crate::recover) fn point(&self, phase: f64) -> [f64; 3] {
         match self {
             Sweep::Line { middle, along, .. } => add_scaled(*middle, *along, phase),
             Sweep::Round { round, zero } => {
@@ -83,7 +83,7 @@ impl Sweep {
     }
 
     /// The path without ends.
-    pub(super) fn free(&self) -> Free {
+    pub(in crate::recover) fn free(&self) -> Free {
         match *self {
             Sweep::Line { middle, along, .. } => Free::Line { at: middle, direction: along },
             Sweep::Round { round, .. } => Free::Arc(round),
@@ -91,7 +91,7 @@ impl Sweep {
     }
 
     /// Two unit vectors that span the cross-section at the middle of a line, or the plane of a circle.
-    pub(super) fn axes(&self) -> [[f64; 3]; 2] {
+    pub(in crate::recover) fn axes(&self) -> [[f64; 3]; 2] {
         match self {
             Sweep::Line { along, across, .. } => [*across, cross(*along, *across)],
             Sweep::Round { round, zero } => [*zero, cross(round.normal, *zero)],
@@ -99,7 +99,7 @@ impl Sweep {
     }
 
     /// A point as the path sees it.
-    pub(super) fn see(&self, p: [f64; 3]) -> Seen {
+    pub(in crate::recover) fn see(&self, p: [f64; 3]) -> Seen {
         let [u, v] = self.axes();
         match self {
             Sweep::Line { middle, along, half, .. } => {
@@ -128,7 +128,7 @@ impl Sweep {
     }
 
     /// The path moved by changes of its pose and by `shift` across it; `None` where a circle would vanish.
-    pub(super) fn moved(&self, pose: [f64; POSE], shift: [f64; 2]) -> Option<Self> {
+    pub(in crate::recover) fn moved(&self, pose: [f64; POSE], shift: [f64; 2]) -> Option<Self> {
         let [u, v] = self.axes();
         let plane = |a: f64, b: f64| add_scaled(u.map(|x| a * x), v, b);
         match *self {
