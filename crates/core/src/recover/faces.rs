@@ -24,7 +24,7 @@ pub(super) use sweep::{Seen, Sweep};
 /// Fewest points on a face.
 pub(super) const FACE_POINTS: usize = 8;
 /// Least sine of the fold.
-pub(super) const FOLD_SINE: f64 = 0.2;
+const FOLD_SINE: f64 = 0.2;
 /// Points of the path that the prior holds.
 const HELD: usize = 5;
 /// Length of a piece, in spacings, from which on the points beside its ends are left to the faces there.

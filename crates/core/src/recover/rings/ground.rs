@@ -3,7 +3,7 @@
 use crate::curve::Round;
 use crate::math::vec3::{add_scaled, perpendicular};
 use crate::neighbors::Index;
-use crate::recover::faces::{FACE_POINTS, FOLD_SINE, Fitted, Lengths, Profile, Seen, Sweep, fit};
+use crate::recover::faces::{FACE_POINTS, Fitted, Lengths, Profile, Seen, Sweep, fit};
 use crate::resolution::Resolution;
 use crate::surface::Scales;
 use std::f64::consts::TAU;
@@ -38,6 +38,8 @@ const LOOSE: f64 = 1.5;
 const SHARP: f64 = 0.1;
 /// Least radius, in spacings, and what noise adds in its own unit.
 const RADIUS: (f64, f64) = (1.2, 4.0);
+/// Least sine of the fold: a smooth face that bends a little looks like one of less.
+const FOLD_SINE: f64 = 0.42;
 /// Deviations of a point that is on a face.
 const ON: f64 = 3.0;
 /// Least share of the parts that show both faces.
