@@ -49,7 +49,7 @@ pub(crate) fn close(lines: &mut LineGraph, points: &[[f64; 3]], scales: Scales) 
     });
     rings.extend(others);
     let rings = distinct(rings, |r: &Ring| (r.round, SAME.1 * r.spacing), |r| -r.uneven);
-    place::place(lines, &rings, &ground);
+    place::place(lines, rings, &ground);
 }
 
 /// The best of each group of circles that are one: `circle` gives each with the distance within which others are the same.

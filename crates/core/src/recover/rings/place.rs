@@ -17,6 +17,8 @@ const ALONG: f64 = 0.8;
 const STUB: (f64, f64) = (4.0, 8.0);
 /// Share of a piece's vertices on walls of rings from which on it is no line.
 const EXPLAINED: f64 = 0.8;
+/// Fewest lines on a ring that are many, and the length of it for each, in spacings.
+const MANY: (f64, f64) = (3.0, 15.0);
 /// Fewest vertices of a ring.
 const FEWEST: usize = 12;
 /// Evidence at which a ring is as likely right as wrong.
@@ -25,11 +27,17 @@ const EVEN: f64 = 50.0;
 /// No ring.
 const NONE: u32 = u32::MAX;
 
-/// Puts the rings into the graph, in the place of the lines along them.
-pub(super) fn place(lines: &mut LineGraph, rings: &[Ring], ground: &Ground) {
-    let owner = owners(lines, rings);
-    let explained = explained(lines, &owner, rings, ground);
-    let pieces = Pieces::new(lines, &owner, rings, &explained);
+/// Puts the rings into the graph, in the place of the lines along them; all but those on which many lines end, as the rim of a hole
+/// meets none.
+pub(super) fn place(lines: &mut LineGraph, mut rings: Vec<Ring>, ground: &Ground) {
+    let (owner, pieces) = told_apart(lines, &rings, ground);
+    let joints = pieces.joints(lines, &owner, rings.len());
+    let whole = |ring: &Ring, joints: f64| {
+        joints < MANY.0 || joints * MANY.1 * ring.spacing < TAU * ring.round.radius
+    };
+    let mut joints = joints.into_iter();
+    rings.retain(|ring| joints.next().is_some_and(|n| whole(ring, n)));
+    let (owner, pieces) = told_apart(lines, &rings, ground);
     let first: Vec<u32> = rings.iter().map(|ring| draw(lines, ring, ground.index)).collect();
     let ends: Vec<u32> = first.iter().skip(1).copied().chain([lines.edges.len() as u32]).collect();
     for a in 0..owner.len() {
@@ -50,6 +58,14 @@ pub(super) fn place(lines: &mut LineGraph, rings: &[Ring], ground: &Ground) {
     }
     let is_own = |v: &u32| owner.get(*v as usize).is_none_or(|&o| o == NONE);
     lines.nodes.retain(is_own);
+}
+
+/// `(V)` the ring that each vertex lies along, and the pieces of lines along none.
+fn told_apart(lines: &LineGraph, rings: &[Ring], ground: &Ground) -> (Vec<u32>, Pieces) {
+    let owner = owners(lines, rings);
+    let explained = explained(lines, &owner, rings, ground);
+    let pieces = Pieces::new(lines, &owner, rings, &explained);
+    (owner, pieces)
 }
 
 /// `(V)` the ring that each vertex lies along.
@@ -135,6 +151,16 @@ impl Pieces {
         let stub =
             (0..count).map(|p| short(p) || on_wall[p] > 0.0 && on_wall[p] >= EXPLAINED * size[p]).collect();
         Pieces { piece, stub }
+    }
+
+    /// `(R)` the number of lines that end on each ring.
+    fn joints(&self, lines: &LineGraph, owner: &[u32], rings: usize) -> Vec<f64> {
+        let mut joints = vec![0.0; rings];
+        for (v, list) in lines.edges.iter().enumerate().filter(|(v, _)| owner[*v] != NONE) {
+            let kept = list.iter().filter(|&&b| owner[b as usize] == NONE && !self.stub(b as usize));
+            joints[owner[v] as usize] += kept.count() as f64;
+        }
+        joints
     }
 
     /// Whether a vertex lies on a false end.
