@@ -47,7 +47,10 @@ const SUPPORT: f64 = 0.75;
 /// Greatest mean square of the parts' mean deviations, in their variances.
 const UNEVEN: f64 = 2.0;
 /// Least evidence.
-const EVIDENCE: f64 = 100.0;
+const EVIDENCE: f64 = 40.0;
+/// Root mean square distance of the points from one straight line across, beyond that from the faces, that two flat faces have which
+/// fold by 33 degrees, in spacings: faces that fold by more but bend back are one that is round.
+const STRAIGHT: f64 = 0.25;
 /// Points that an even plane around a circle's centre would have, times this, are more than any circle's surroundings.
 const CROWDED: f64 = 12.0;
 /// Length of line over which a cross-section elsewhere pools its points, in spacings: the evidence of a ring is that of as much of it.
@@ -204,8 +207,10 @@ fn judged(round: Round, fitted: &Fitted, near: &[[f64; 3]], resolution: Resoluti
     let count = ((length / (PART.0 * h)).ceil() as usize).max(PART.1);
     let parts = Parts::new(count, fitted, near, h, sigma, length);
     let uneven = parts.uneven(sigma);
-    let evidence = (bent(&parts.on) - parts.left) / (sigma * sigma) * (POOLED * h / length).min(1.0);
-    let holds = parts.support() >= SUPPORT && uneven <= UNEVEN && evidence >= EVIDENCE;
+    let gain = bent(&parts.on) - parts.left;
+    let evidence = gain / (sigma * sigma) * (POOLED * h / length).min(1.0);
+    let folds = gain >= (STRAIGHT * h).powi(2) * parts.on.len() as f64;
+    let holds = parts.support() >= SUPPORT && uneven <= UNEVEN && evidence >= EVIDENCE && folds;
     let Fitted { profile, spread, .. } = *fitted;
     holds.then_some(Ring { round, profile, spacing: h, spread, uneven, evidence })
 }
