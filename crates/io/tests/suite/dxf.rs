@@ -19,7 +19,11 @@ fn written(network: &Network, context: &NetworkContext) -> Drawing {
 }
 
 fn bracket(method: Method) -> Extraction {
-    let scan = (shapes::sample("bracket").unwrap().make)(1);
+    found("bracket", method)
+}
+
+fn found(sample: &str, method: Method) -> Extraction {
+    let scan = (shapes::sample(sample).unwrap().make)(1);
     let mut params = Params { method, ..Params::default() };
     params.patches.find = lineament::params::Auto::Given(true);
     extract(&scan.cloud, &params).unwrap()
@@ -87,9 +91,16 @@ fn same(entity: &parse::Entity, curve: &Value) {
 
 #[test]
 fn a_network_is_the_typed_curves_of_its_json() {
-    let found = bracket(Method::Auto);
-    let drawing = written(&found.network, &NetworkContext::default());
-    let json = json(&found.network, &NetworkContext::default());
+    let mut kinds = agrees(&bracket(Method::Auto).network);
+    kinds.extend(agrees(&found("equal-cylinders", Method::Auto).network));
+    let has = |kind: &&str| kinds.iter().any(|k| k == kind);
+    assert!(["LINE", "ARC", "CIRCLE"].iter().all(has), "{kinds:?}");
+}
+
+/// Holds the drawing of a network against its JSON; returns the kinds of its curves.
+fn agrees(network: &Network) -> Vec<String> {
+    let drawing = written(network, &NetworkContext::default());
+    let json = json(network, &NetworkContext::default());
     let mut entities = drawing.entities.iter();
     let mut kinds = Vec::new();
     for strip in json["strips"].as_array().unwrap() {
@@ -97,16 +108,16 @@ fn a_network_is_the_typed_curves_of_its_json() {
             let entity = entities.next().unwrap();
             assert_eq!(entity.layer, strip["kind"].as_str().unwrap().to_uppercase());
             same(entity, curve);
-            kinds.push(entity.kind.as_str());
+            kinds.push(entity.kind.clone());
         }
     }
-    assert!(["LINE", "ARC", "CIRCLE"].iter().all(|kind| kinds.contains(kind)), "{kinds:?}");
     for node in json["nodes"].as_array().unwrap() {
         let entity = entities.next().unwrap();
         assert!(entity.kind == "POINT" && near(entity.place(10), point(&node["position"])));
         assert_eq!(entity.layer, node["kind"].as_str().unwrap().to_uppercase());
     }
     assert!(entities.next().is_none());
+    kinds
 }
 
 #[test]
