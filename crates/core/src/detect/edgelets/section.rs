@@ -6,10 +6,13 @@ use crate::math::vec3::{add_scaled, cross, dot, norm, scale, sub, unit};
 /// Half the width of a section, in spacings.
 pub(super) const WIDE: f64 = 4.2;
 /// Stations on either side of the seed without noise, one spacing apart, what noise adds to them in its own unit of spacings, and
-/// the greatest number.
+/// the greatest number: where the line turns, and where it is nearly straight.
 const STATIONS: (f64, f64, f64) = (4.0, 20.0, 9.0);
-/// Greatest turn of the line from one station to the next: cosine.
+const STRAIGHT: (f64, f64, f64) = (8.0, 24.0, 16.0);
+/// Greatest turn of the line from one station to the next, and of one that is nearly straight from the seed on: cosines. The points
+/// of many stations around a bend do not fall on one curve.
 const TURN: f64 = 0.85;
+const BENT: f64 = 0.9;
 /// Least certainty of the field beside the next station: sum of weights, and share of it that points one way.
 const CERTAIN: (f64, f64) = (0.3, 0.8);
 /// Least number of points of a section.
@@ -65,20 +68,27 @@ impl Section {
         if !self.pool(field, &start) {
             return false;
         }
-        let (fewest, noisy, most) = STATIONS;
-        let reach = (fewest + noisy * self.noise).min(most) as usize;
-        for sign in [-1.0, 1.0] {
-            let mut at = start;
-            for _ in 0..reach {
-                let Some(next) = step(field, &at, sign * self.unit) else { break };
-                if !self.pool(field, &next) {
-                    return false;
-                }
-                at = next;
-                self.stations += 1;
+        let around = self.follow(field, &start, -1.0) && self.follow(field, &start, 1.0);
+        around && self.points.len() >= FEW
+    }
+
+    /// Adds the points beside the stations on one side of the seed; false where it comes to a crowded place.
+    fn follow(&mut self, field: &Field, start: &Station, sign: f64) -> bool {
+        let reach = |(fewest, noisy, most): (f64, f64, f64)| (fewest + noisy * self.noise).min(most) as usize;
+        let (bent, straight) = (reach(STATIONS), reach(STRAIGHT));
+        let mut at = *start;
+        for k in 0..straight {
+            let Some(next) = step(field, &at, sign * self.unit) else { break };
+            if k >= bent && dot(next.axes[0], start.axes[0]) < BENT {
+                break;
             }
+            if !self.pool(field, &next) {
+                return false;
+            }
+            at = next;
+            self.stations += 1;
         }
-        self.points.len() >= FEW
+        true
     }
 
     /// Adds the points beside a station; false where it is crowded.
