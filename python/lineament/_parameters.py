@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import inspect
 import keyword
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar, cast
 
@@ -98,21 +98,37 @@ def settings(params: Mapping[str, Any] | None, keywords: Mapping[str, Any]) -> l
     """Keys and values as text, as ``--set`` of the program reads them: those of ``params``, then the keyword arguments."""
     unknown = next((name for name in keywords if name not in _KEYS), None)
     if unknown is not None:
-        near = difflib.get_close_matches(unknown, _KEYS, n=1)
-        meant = f": did you mean '{near[0]}'?" if near else ""
-        raise TypeError(f"there is no parameter '{unknown}'{meant}")
+        raise _no_parameter(unknown, _KEYS)
     given = _flat(params or {}, "")
     return [*given, *((_KEYS[name], text(value)) for name, value in keywords.items())]
 
 
 def section_settings(params: Mapping[str, Any] | None, keywords: Mapping[str, Any]) -> list[tuple[str, str]]:
     """As :func:`settings`, of keyword arguments without ``section_``. Numbers and sequences for ``planes`` are counts and positions."""
+    known = [p.short for p in _TABLE if p.section == "section"]
+    for name in keywords:
+        if name in _OPTIONS:
+            raise TypeError(f"there is no parameter '{name}': did you mean 'planes={_OPTIONS[name]}'?")
+        if name not in known and f"{name}_" not in known:
+            raise _no_parameter(name, known)
     given = dict(keywords)
     planes = given.get("planes")
     if planes is not None and not isinstance(planes, str):
         number = isinstance(planes, (int, np.integer))
         given["planes"] = f"count:{planes}" if number else f"at:{text(list(planes))}"
     return settings(params, {f"section_{name.removesuffix('_')}": value for name, value in given.items()})
+
+
+_OPTIONS = {"count": "20", "at": "[0.5, 1.0]", "step": "'every:0.5'", "every": "'every:0.5'"}
+"""Options of the program that stand for ``planes``, and an example of it for each."""
+
+
+def _no_parameter(name: str, known: Iterable[str]) -> TypeError:
+    """The error for a name that is not known, with the one that was likely meant: one that ends in it, or else a similar one."""
+    names = list(known)
+    near = [k for k in names if k.endswith(f"_{name}")] or difflib.get_close_matches(name, names, n=1)
+    meant = f": did you mean '{near[0]}'?" if near else ""
+    return TypeError(f"there is no parameter '{name}'{meant}")
 
 
 def _flat(params: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, str]]:

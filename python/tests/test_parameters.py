@@ -76,5 +76,11 @@ def test_values_out_of_range_are_refused_in_the_words_of_the_program(bracket: An
 def test_wrong_names_are_answered_by_the_one_that_was_meant(bracket: Any) -> None:
     with pytest.raises(TypeError, match="penalty_fold_deg"):
         lineament.extract(bracket, penalty_fold=20)  # type: ignore[call-arg]  # pyright: ignore[reportCallIssue]
+    with pytest.raises(TypeError, match="'gamma': did you mean 'penalty_gamma'"):
+        lineament.extract(bracket, gamma=0.4)  # type: ignore[call-arg]  # pyright: ignore[reportCallIssue]
+    with pytest.raises(TypeError, match="'count': did you mean 'planes=20'"):
+        lineament.section(bracket, count=20)  # type: ignore[call-arg]  # pyright: ignore[reportCallIssue]
+    with pytest.raises(TypeError, match="'axes': did you mean 'axis'"):
+        lineament.section(bracket, axes="x")  # type: ignore[call-arg]  # pyright: ignore[reportCallIssue]
     with pytest.raises(lineament.ParameterError, match="no parameter of this name"):
         lineament.extract(bracket, params={"penalty": {"warp": 1}})

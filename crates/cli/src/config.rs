@@ -1,7 +1,7 @@
 //! From the command line and parameter files to checked parameters.
 
 mod file;
-mod near;
+pub mod near;
 pub mod text;
 
 use lineament::params::Params;

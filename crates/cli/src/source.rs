@@ -10,6 +10,7 @@ use lineament::{Cloud, shapes};
 use lineament_io::{LasFrame, ReadOptions, read};
 
 use crate::args::{Reading, Source};
+use crate::config::near;
 use crate::failure::{Code, Failure};
 
 /// One input of the command line.
@@ -174,6 +175,10 @@ fn with_reading(options: &ReadOptions, reading: &Reading) -> ReadOptions {
 }
 
 fn from_file(path: &Path, name: String, options: &ReadOptions) -> Result<Input, Failure> {
+    if path.is_dir() {
+        let failure = Failure::new(Code::Input, format!("`{}` is a folder", path.display()));
+        return Err(failure.advise("name the files in it, such as scans/*.ply"));
+    }
     let scan = read(path, options)?;
     Ok(Input {
         name,
@@ -194,8 +199,10 @@ fn from_file(path: &Path, name: String, options: &ReadOptions) -> Result<Input, 
 
 fn from_sample(sample: &str, seed: u64, name: String) -> Result<Input, Failure> {
     let found = shapes::sample(sample).ok_or_else(|| {
-        Failure::new(Code::Usage, format!("--sample {sample}: there is no such sample"))
-            .advise("`lineament extract --sample list` lists them")
+        let failure = Failure::new(Code::Usage, format!("--sample {sample}: there is no such sample"));
+        let meant = near::nearest(sample, shapes::samples().iter().map(|s| s.name));
+        let meant = meant.map_or(String::new(), |name| format!("did you mean `{name}`? "));
+        failure.advise(format!("{meant}`lineament extract --sample list` lists them"))
     })?;
     let cloud = (found.make)(seed).cloud;
     Ok(Input {

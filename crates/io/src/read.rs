@@ -2,6 +2,7 @@
 mod detect;
 mod e57;
 mod expe;
+mod foreign;
 mod gltf;
 mod join;
 pub(crate) mod las;

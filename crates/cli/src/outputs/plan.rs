@@ -24,8 +24,10 @@ pub fn plan(origins: &[Origin], asked: &[PathBuf], suffixes: &[&str]) -> Result<
         None => Ok(plan),
         Some(path) => {
             let failure = Failure::new(Code::Usage, format!("{}: named as output twice", path.display()));
-            let advice =
-                "for several inputs give a folder, or a name with {stem} in it, such as lines/{stem}.dxf";
+            let advice = format!(
+                "{} inputs are named: give a folder, or a name with {{stem}} in it, such as lines/{{stem}}.dxf; each output has an -o of its own",
+                origins.len()
+            );
             Err(if origins.len() > 1 { failure.advise(advice) } else { failure })
         }
     }

@@ -1,6 +1,6 @@
 //! `lineament info`.
 
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 use lineament::neighbors::{all_nearest, riemannian};
 use lineament::{Cloud, Column, Frame, Resolution};
@@ -45,7 +45,7 @@ fn described(origin: &Origin, args: &Info) -> Result<String, Failure> {
     Ok(text)
 }
 
-fn line(text: &mut String, label: &str, value: impl std::fmt::Display) {
+fn line(text: &mut String, label: &str, value: impl Display) {
     // Names come from the file.
     let _ = writeln!(text, "{label:<12}{}", shown(&value.to_string()).replace('\n', "\\n"));
 }
@@ -66,9 +66,12 @@ fn file_lines(text: &mut String, input: &Input) {
         (Some(crs), _) => line(text, "reference", crs),
         (None, _) => {}
     }
-    line(text, "points", grouped(input.cloud.len()));
+    let sampled =
+        input.sampled.map_or(String::new(), |(faces, _)| format!(", sampled over {} faces", grouped(faces)));
+    line(text, "points", format!("{}{sampled}", grouped(input.cloud.len())));
     for attribute in &input.cloud.attributes {
-        line(text, "attribute", format!("{} ({})", attribute.name, type_name(&attribute.values)));
+        let (kind, range) = described_column(&attribute.values);
+        line(text, "attribute", format!("{} ({kind}){range}", attribute.name));
     }
     input.missing.iter().chain(&input.warnings).for_each(|warning| line(text, "warning", warning));
     input.remarks.iter().for_each(|remark| line(text, "note", remark));
@@ -109,17 +112,30 @@ fn bounds(cloud: &Cloud) -> [[f64; 2]; 3] {
     bounds
 }
 
-fn type_name(column: &Column) -> &'static str {
+/// The type of a column's values and, behind a comma, their range.
+fn described_column(column: &Column) -> (&'static str, String) {
     match column {
-        Column::I8(_) => "i8",
-        Column::U8(_) => "u8",
-        Column::I16(_) => "i16",
-        Column::U16(_) => "u16",
-        Column::I32(_) => "i32",
-        Column::U32(_) => "u32",
-        Column::I64(_) => "i64",
-        Column::U64(_) => "u64",
-        Column::F32(_) => "f32",
-        Column::F64(_) => "f64",
+        Column::I8(v) => ("i8", range(v)),
+        Column::U8(v) => ("u8", range(v)),
+        Column::I16(v) => ("i16", range(v)),
+        Column::U16(v) => ("u16", range(v)),
+        Column::I32(v) => ("i32", range(v)),
+        Column::U32(v) => ("u32", range(v)),
+        Column::I64(v) => ("i64", range(v)),
+        Column::U64(v) => ("u64", range(v)),
+        Column::F32(v) => ("f32", range(v)),
+        Column::F64(v) => ("f64", range(v)),
+    }
+}
+
+/// Least and greatest value in words; nothing for no values, or for none that can be compared.
+fn range<T: Copy + PartialOrd + Display>(values: &[T]) -> String {
+    let known = || values.iter().copied().filter(|v| v.partial_cmp(v).is_some());
+    let least = known().reduce(|a, b| if b < a { b } else { a });
+    let most = known().reduce(|a, b| if b > a { b } else { a });
+    match (least, most) {
+        (Some(least), Some(most)) if least < most => format!(", {least} to {most}"),
+        (Some(only), _) => format!(", all {only}"),
+        _ => String::new(),
     }
 }

@@ -135,6 +135,9 @@ fn info_tells_format_counts_bounds_and_spacing() {
     for label in ["format", "x ", "y ", "z ", "spacing", "noise"] {
         assert!(text.lines().any(|l| l.starts_with(label)), "{label}\n{text}");
     }
+    sandbox.write("classes.csv", "x,y,z,class,w\n0,0,0,2,1\n1,0,0,6,1\n0,1,0,5,nan\n");
+    let text = sandbox.run(&["info", "classes.csv"]).expect(0).text();
+    assert!(text.contains(", 2 to 6\n") && text.contains(", all 1\n"), "{text}");
 }
 
 #[test]
@@ -272,8 +275,12 @@ fn stages_writes_every_graph_of_the_method_segments_and_of_no_other() {
         assert_eq!(row["name"], *name);
         let file = sandbox.read(&format!("steps/{name}.ply"));
         let header = String::from_utf8_lossy(&file[..400.min(file.len())]).into_owned();
-        assert!(header.starts_with("ply\n") && header.contains("element edge"), "{header}");
+        assert!(header.starts_with("ply\n"), "{header}");
+        assert!(header.contains(&format!("element edge {}\n", row["edges"])), "{header}");
     }
+    let border = sandbox.read("steps/border.ply");
+    let held = format!("element edge {}\n", table["border"]["edges"]);
+    assert!(String::from_utf8_lossy(&border[..400.min(border.len())]).contains(&held), "{held}");
     assert_eq!(table["graphs"][4]["open_ends"], 0);
     assert!(sandbox.path("steps/segmentation.ply").exists());
 }

@@ -137,6 +137,8 @@ fn a_wrong_name_is_answered_by_the_one_that_was_meant() {
         assert_eq!(run.stderr.contains("did you mean"), said.starts_with("did"), "{setting}: {}", run.stderr);
     }
     sandbox.run(&["part.xyz"]).expect(2).says(&["`lineament extract part.xyz` finds its lines"]);
+    let sample = ["extract", "--sample", "braket", "-o", "a.json"];
+    sandbox.run(&sample).expect(2).says(&["did you mean `bracket`?"]);
 }
 
 #[test]

@@ -5,8 +5,9 @@
 //! start each cell of a fine grid keeps one point, so that faces that lie on each other do not pile up.
 
 use rayon::prelude::*;
-use std::cmp::{Ordering, Reverse};
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
+use std::ops::Range;
 
 use super::scatter::Candidate;
 use crate::math::vec3::distance2;
@@ -25,8 +26,8 @@ pub(super) fn eliminate(candidates: &[Candidate], area: f64, count: usize) -> Ve
     let r_max = (area / (2.0 * 3.0_f64.sqrt() * count as f64)).sqrt();
     let share = count as f64 / candidates.len().max(1) as f64;
     let r_min = r_max * (1.0 - share * share.sqrt()) * BETA;
-    let grid = Grid::new(candidates, &one_a_cell(candidates, CELL * r_max), 2.0 * r_max, 2.0 * r_min);
-    let mut kept = grid.thin(count);
+    let chosen = one_a_cell(candidates, CELL * r_max);
+    let mut kept = Grid::new(candidates, &chosen, 2.0 * r_max, 2.0 * r_min).thin(count);
     kept.sort_unstable();
     kept
 }
@@ -47,42 +48,62 @@ fn one_a_cell(candidates: &[Candidate], edge: f64) -> Vec<u32> {
     cells.into_iter().map(|(_, i)| i).collect()
 }
 
-/// Candidates by cells as wide as the farthest that count as neighbours.
-struct Grid<'a> {
-    candidates: &'a [Candidate],
-    /// Ascending.
-    places: Vec<(Cell, u32)>,
+/// Candidates by cells as wide as the farthest that count as neighbours, in the order of the cells.
+struct Grid {
+    places: Vec<Place>,
+    /// For each cell that holds places the stretches of `places` in and around it, a row of cells along z each.
+    around: Vec<[Range<u32>; 9]>,
     /// Distances at which weights end, and below which they grow no more.
     reach: f64,
     limit: f64,
 }
 
-impl<'a> Grid<'a> {
-    fn new(candidates: &'a [Candidate], chosen: &[u32], reach: f64, limit: f64) -> Self {
+/// A candidate where its neighbours stand beside it in memory.
+struct Place {
+    position: [f64; 3],
+    normal: [f32; 3],
+    /// Its cell, counted along `around`, and its number among the candidates.
+    cell: u32,
+    candidate: u32,
+}
+
+impl Grid {
+    fn new(candidates: &[Candidate], chosen: &[u32], reach: f64, limit: f64) -> Self {
         let place = |k: usize| (cell(candidates[chosen[k] as usize].position, reach), chosen[k]);
-        let mut places = parallel::map(chosen.len(), parallel::QUICK, place);
-        places.par_sort_unstable();
-        Self { candidates, places, reach, limit }
+        let mut sorted: Vec<(Cell, u32)> = parallel::map(chosen.len(), parallel::QUICK, place);
+        sorted.par_sort_unstable();
+        let mut cells: Vec<(Cell, u32)> = sorted.iter().zip(0..).map(|(&(cell, _), at)| (cell, at)).collect();
+        cells.dedup_by_key(|(cell, _)| *cell);
+        let mut places: Vec<Place> = Vec::with_capacity(sorted.len());
+        for (at, &(here, candidate)) in sorted.iter().enumerate() {
+            let last = places.last().map_or(0, |p| p.cell + u32::from(sorted[at - 1].0 != here));
+            let Candidate { position, normal } = candidates[candidate as usize];
+            places.push(Place { position, normal, cell: last, candidate });
+        }
+        let end = sorted.len() as u32;
+        let around = parallel::map(cells.len(), parallel::QUICK, |k| rows(&cells, cells[k].0, end));
+        Self { places, around, reach, limit }
     }
 
     /// Takes out the most crowded place until `count` are left; gives the candidates that stay.
     fn thin(&self, count: usize) -> Vec<u32> {
         let mut weights = parallel::map(self.places.len(), parallel::SLOW, |at| self.weight(at));
         let mut heap: BinaryHeap<Crowded> =
-            weights.iter().zip(0..).map(|(&w, at)| Crowded(w, Reverse(at))).collect();
+            weights.iter().zip(0..).map(|(&w, at)| Crowded::new(w, at)).collect();
         let (mut stays, mut left) = (vec![true; self.places.len()], self.places.len());
         while left > count
-            && let Some(Crowded(weight, Reverse(at))) = heap.pop()
+            && let Some(Crowded { weight, at: Reverse(at) }) = heap.pop()
         {
             // Weights only ever fall: an entry that is out of date goes back with the weight of now.
-            if weight > weights[at] {
-                heap.push(Crowded(weights[at], Reverse(at)));
+            let (now, at) = (Crowded::new(weights[at as usize], at), at as usize);
+            if weight > now.weight {
+                heap.push(now);
                 continue;
             }
             (stays[at], left) = (false, left - 1);
             self.neighbours(at, |other, weight| weights[other] -= weight);
         }
-        (0..self.places.len()).filter(|&at| stays[at]).map(|at| self.places[at].1).collect()
+        (0..self.places.len()).filter(|&at| stays[at]).map(|at| self.places[at].candidate).collect()
     }
 
     fn weight(&self, at: usize) -> f64 {
@@ -93,14 +114,10 @@ impl<'a> Grid<'a> {
 
     /// Hands on the places that crowd one, each with its weight.
     fn neighbours(&self, at: usize, mut take: impl FnMut(usize, f64)) {
-        let ([x, y, z], own) = self.places[at];
-        let own = &self.candidates[own as usize];
-        for (dx, dy) in (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (dx, dy))) {
-            let [from, to] = [z - 1, z + 1].map(|z| [x + dx, y + dy, z]);
-            let first = self.places.partition_point(|(cell, _)| *cell < from);
-            let row = self.places[first..].iter().take_while(|(cell, _)| *cell <= to);
-            for (other, (_, i)) in row.enumerate().map(|(k, place)| (first + k, place)) {
-                let next = &self.candidates[*i as usize];
+        let own = &self.places[at];
+        for row in &self.around[own.cell as usize] {
+            for other in row.start as usize..row.end as usize {
+                let next = &self.places[other];
                 let apart = distance2(own.position, next.position);
                 if other != at && apart < self.reach * self.reach && !turned_away(own, next) {
                     take(other, (1.0 - apart.sqrt().max(self.limit) / self.reach).powi(ALPHA));
@@ -110,29 +127,32 @@ impl<'a> Grid<'a> {
     }
 }
 
-fn turned_away(a: &Candidate, b: &Candidate) -> bool {
+/// The stretches of places in the nine rows of three cells around one. `cells` has each cell with its first place; `end` is the
+/// number of places.
+fn rows(cells: &[(Cell, u32)], [x, y, z]: Cell, end: u32) -> [Range<u32>; 9] {
+    let first = |from: Cell| cells.get(cells.partition_point(|(c, _)| *c < from)).map_or(end, |(_, at)| *at);
+    std::array::from_fn(|k| {
+        let (x, y) = (x - 1 + k as i64 / 3, y - 1 + k as i64 % 3);
+        first([x, y, z - 1])..first([x, y, z + 2])
+    })
+}
+
+fn turned_away(a: &Place, b: &Place) -> bool {
     (0..3).map(|k| a.normal[k] * b.normal[k]).sum::<f32>() < AWAY
 }
 
 /// A place by how crowded it is; of several as crowded the first comes out.
-struct Crowded(f64, Reverse<usize>);
-
-impl Ord for Crowded {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.0.total_cmp(&other.0).then(self.1.cmp(&other.1))
-    }
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Crowded {
+    /// The bits of the weight in an order that is that of the numbers.
+    weight: u64,
+    at: Reverse<u32>,
 }
 
-impl PartialOrd for Crowded {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
+impl Crowded {
+    fn new(weight: f64, at: u32) -> Self {
+        let bits = weight.to_bits();
+        let sign = 1 << 63;
+        Self { weight: if bits & sign == 0 { bits | sign } else { !bits }, at: Reverse(at) }
     }
 }
-
-impl PartialEq for Crowded {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Crowded {}

@@ -23,6 +23,10 @@ const CLEAR_OF_STRIPS: f64 = 0.8;
 const FEWEST_CLEAR: usize = 24;
 /// Residual below which fits count as equally good, spacings: a scan resolves no less.
 pub(super) const FLOOR: f64 = 0.03;
+/// Distance from a surface above which a point counts no more, in standard deviations of the others; and these in medians of the
+/// distance, where it is normally distributed.
+const FAR: f64 = 3.0;
+const OF_MEDIAN: f64 = 1.4826;
 /// Residual of the best surface above which a patch is free-form, spacings; plus twice the noise.
 const FREE: f64 = 0.15;
 
@@ -69,10 +73,18 @@ fn residual(surface: &Surface, points: &[[f64; 3]]) -> f64 {
     (squares / points.len().max(1) as f64).sqrt()
 }
 
+/// What chooses the kind. Points far beyond the others are of another face or of none, and count as at [`FAR`]: a plane with a few
+/// of them is no wide sphere.
 fn cost(surface: &Surface, points: &[[f64; 3]], floor: f64) -> f64 {
+    if points.is_empty() {
+        return 0.0;
+    }
     let count = points.len() as f64;
-    let squares = residual(surface, points).powi(2) + floor * floor;
-    count * squares.ln() + surface.freedom() as f64 * count.ln()
+    let mut squares: Vec<f64> = points.iter().map(|&p| surface.distance(p).powi(2)).collect();
+    let middle = *squares.select_nth_unstable_by(points.len() / 2, f64::total_cmp).1;
+    let most = FAR * FAR * (middle * OF_MEDIAN * OF_MEDIAN + floor * floor);
+    let mean = squares.iter().map(|s| s.min(most)).sum::<f64>() / count;
+    count * (mean + floor * floor).ln() + surface.freedom() as f64 * count.ln()
 }
 
 #[cfg(test)]

@@ -17,6 +17,11 @@ use crate::resolution::Resolution;
 
 /// Points with fewer others in one plane with them than this have no support.
 const SUPPORT: usize = 8;
+/// Mean distance of a point from its nearest neighbours, relative to the spacing around it, above which half of the counted
+/// neighbours must lie in one plane with it: a plane laid through one point above a face and a few points of that face has
+/// enough for [`SUPPORT`] by chance.
+const FAR: f32 = 3.0;
+const FAR_SUPPORT: usize = 12;
 /// Share of neighbours without support above which a point is in a crowd, and share of neighbours in a crowd above which it
 /// lies deep in it.
 const CROWD: (f64, f64) = (0.5, 0.75);
@@ -49,14 +54,18 @@ pub(super) fn clutter(
     gaps: &[f32],
     mean: Resolution,
 ) -> (Vec<bool>, usize) {
-    let bare: Vec<bool> =
-        supported(points, nearest, planes, raw, spacing, mean, SUPPORT).iter().map(|s| !s).collect();
+    let held = |enough: &(dyn Fn(usize) -> usize + Sync)| {
+        supported(points, nearest, planes, raw, spacing, mean, enough)
+    };
+    let bare: Vec<bool> = held(&|_| SUPPORT).iter().map(|s| !s).collect();
+    let beyond = |i: usize, times: f32| gaps[i] == 0.0 && raw[i] > times * spacing[i];
+    let steady = held(&|i| if beyond(i, FAR) { FAR_SUPPORT } else { 0 });
     let crowd = where_share(nearest, &bare, CROWD.0);
     let deep = where_share(nearest, &crowd, CROWD.1);
     let reach: Vec<f32> = raw.iter().zip(spacing).map(|(&r, &s)| LINK * r.max(s)).collect();
     let mut clutter = pieces(points, nearest, &reach, &crowd, &deep);
     let scattered = clutter.iter().filter(|&&c| c).count();
-    let alone = |i: usize| bare[i] && gaps[i] == 0.0 && raw[i] > ALONE * spacing[i];
+    let alone = |i: usize| bare[i] && beyond(i, ALONE) || !steady[i];
     clutter = parallel::map(points.len(), parallel::QUICK, |i| clutter[i] || alone(i));
     for _ in 0..ROUNDS {
         let [little, most] = [DRAWN.0, DRAWN.1].map(|share| where_share(nearest, &clutter, share));
@@ -160,6 +169,20 @@ mod tests {
         assert!(share(&found[..walls]) < 0.002, "{} of the walls", share(&found[..walls]));
         assert!(share(&found[walls..strays]) > 0.95, "{} of the strays", share(&found[walls..strays]));
         assert!(share(&found[strays..]) > 0.95, "{} of the leaves", share(&found[strays..]));
+    }
+
+    #[test]
+    fn lone_points_above_a_face_are_clutter() {
+        let mut seed = 11;
+        let mut points = room(&mut seed);
+        let walls = points.len();
+        for k in 0..400 {
+            let [x, y] = [f64::from(k % 20), f64::from(k / 20)].map(|c| 8.0 + 2.6 * c + random(&mut seed));
+            points.push([x, y, 3.0 + 5.0 * random(&mut seed)]);
+        }
+        let found = clutter(&points);
+        let left = found[walls..].iter().filter(|&&c| !c).count();
+        assert!(left <= 2, "{left} of 400");
     }
 
     #[test]

@@ -65,8 +65,8 @@ fn tolerance(spacing: f32, mean: Resolution) -> f64 {
     (IN_PLANE.0 * f64::from(spacing)).max(IN_PLANE.1 * mean.noise)
 }
 
-/// `(N)` whether at least `enough` of the 24 nearest of every point lie in one plane with it. `spacing` is the spacing at each
-/// point. Most points have enough in their list of neighbours, so that few need a search.
+/// `(N)` whether at least as many of the 24 nearest of every point lie in one plane with it as `enough` says. `spacing` is the
+/// spacing at each point. Most points have enough in their list of neighbours, so that few need a search.
 pub(super) fn supported(
     points: &[[f64; 3]],
     nearest: &Neighbors,
@@ -74,12 +74,15 @@ pub(super) fn supported(
     raw: &[f32],
     spacing: &[f32],
     mean: Resolution,
-    enough: usize,
+    enough: impl Fn(usize) -> usize + Sync,
 ) -> Vec<bool> {
     let index = Index::build(points);
     let own = |(near, found): &mut (Vec<[f64; 3]>, Vec<Found>), i: usize| {
         let reach = NEAR * f64::from(spacing[i].max(raw[i]));
-        let tolerance = tolerance(spacing[i], mean);
+        let (tolerance, enough) = (tolerance(spacing[i], mean), enough(i));
+        if enough == 0 {
+            return true;
+        }
         let mut gather = |some: &mut dyn Iterator<Item = u32>| {
             near.clear();
             let offsets = some.map(|j| sub(points[j as usize], points[i]));

@@ -1,6 +1,6 @@
 //! Recognising the format of an input: by its content first, by its name second.
 
-use super::{expe, gltf, npy, off, parquet, ptx, raster, stl};
+use super::{expe, foreign, gltf, npy, off, parquet, ptx, raster, stl};
 use crate::error::Error;
 use crate::format::Format;
 use crate::number::{shown, tokens};
@@ -17,9 +17,6 @@ const MAGIC: [(Format, &[u8]); 8] = [
     (Format::Pcd, b"# .PCD"),
     (Format::Gltf, gltf::MAGIC),
 ];
-
-/// First bytes of TIFF and its form for large files, in both byte orders.
-const TIFF: [&[u8]; 4] = [b"II*\0", b"MM\0*", b"II+\0", b"MM\0+"];
 
 const OBJ_KEYWORDS: [&[u8]; 14] =
     [b"v", b"vn", b"vt", b"vp", b"f", b"l", b"p", b"o", b"g", b"s", b"mtllib", b"usemtl", b"cstype", b"deg"];
@@ -38,16 +35,10 @@ pub(super) fn detect(start: &[u8], length: Option<u64>, name: &str) -> Result<Fo
 fn unknown(start: &[u8], named: Option<Format>, name: &str) -> Error {
     let names: Vec<String> = Format::all().iter().map(Format::to_string).collect();
     let known = format!("known formats are {}", names.join(", "));
-    let advice = if start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff") {
-        "it looks like UTF-16 text: save it as UTF-8".into()
-    } else if TIFF.iter().any(|magic| start.starts_with(magic)) {
-        "it is a TIFF image: save a raster of heights as an ESRI grid (`gdal_translate -of AAIGrid`)".into()
-    } else {
-        match named {
-            Some(format) => format!("the name suggests {format}, the content does not; {known}"),
-            None => known,
-        }
-    };
+    let advice = foreign::advice(start).map(String::from).unwrap_or_else(|| match named {
+        Some(format) => format!("the name suggests {format}, the content does not; {known}"),
+        None => known,
+    });
     Error::UnknownFormat { name: name.into(), found: shown(&start[..start.len().min(16)]), advice }
 }
 
@@ -84,6 +75,7 @@ fn by_text(start: &[u8], named: Option<Format>) -> Option<Format> {
     let mut lines = start.split(|&b| b == b'\n' || b == b'\r');
     let statement = lines.find_map(|line| tokens(line).next().filter(|t| !t.starts_with(b"#")));
     match statement {
+        Some(_) if foreign::advice(start).is_some() => None,
         Some(word) if OBJ_KEYWORDS.contains(&word) => Some(Format::Obj),
         Some(word) if off::is_keyword(word) => Some(Format::Off),
         Some(word) if raster::begins(word) => Some(Format::Raster),

@@ -121,6 +121,11 @@ fn axes(source: &Source, arrays: &[Array]) -> Result<Axes, Error> {
     let all: Vec<usize> = (0..arrays.len()).filter(|&i| wide(&arrays[i])).collect();
     match all.as_slice() {
         &[index] => plain(source, arrays, index),
+        _ if arrays.is_empty() => Err(source.fault(
+            Place::Byte(0),
+            "a ZIP archive without NumPy arrays",
+            "unpack it, and give the scan in it",
+        )),
         several => {
             let names: Vec<&str> = arrays.iter().map(|a| a.name.as_str()).collect();
             let found = format!("arrays {}, {} of them (N, 3) or wider", names.join(", "), several.len());

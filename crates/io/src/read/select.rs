@@ -4,7 +4,7 @@ use super::{ReadOptions, Returns};
 use crate::columns::{each_column, get};
 use crate::error::Error;
 use lineament::Cloud;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// Points that voxels leave of many below which their edge may not be the one that was meant.
 const FEW: usize = 100;
@@ -87,7 +87,14 @@ fn filtered(name: &str, cloud: &Cloud, options: &ReadOptions) -> Result<Vec<usiz
     }
     if kept.is_empty() && !cloud.is_empty() {
         let what = format!("none of {} points is of these classes and returns", cloud.len());
-        let advice = "`lineament classify` of all points as CSV shows which there are".into();
+        let advice = match column(name, cloud, "classification") {
+            Ok(class) => {
+                let classes: BTreeSet<u8> = (0..cloud.len()).map(|i| class(i) as u8).collect();
+                let classes: Vec<String> = classes.iter().map(u8::to_string).collect();
+                format!("there are the classes {}; `lineament info` shows the returns", classes.join(", "))
+            }
+            Err(_) => "`lineament info` shows the returns".into(),
+        };
         return Err(Error::Unsupported { name: name.into(), what, advice });
     }
     Ok(kept)

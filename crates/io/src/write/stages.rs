@@ -94,16 +94,20 @@ fn table(out: &mut dyn Write, found: &Extraction, clusters: &ClusterStages) -> i
     })?;
     write!(out, "],\n\"graphs\": [")?;
     lines(out, &clusters.graphs, |out, _, g| {
-        let count = |is: fn(usize) -> bool| g.lines.edges.iter().filter(|e| is(e.len())).count();
-        let (vertices, ends) = (count(|degree| degree > 0), count(|degree| degree == 1));
-        write!(
-            out,
-            "{{\"name\": {}, \"vertices\": {vertices}, \"edges\": {}, ",
-            Text(g.name),
-            g.lines.edge_count()
-        )?;
+        let ends = degrees(&g.lines, |degree| degree == 1);
+        write!(out, "{{\"name\": {}, {}, ", Text(g.name), held(&g.lines))?;
         write!(out, "\"all_vertices\": {}, \"all_edges\": {}, ", g.vertices, g.edges)?;
         write!(out, "\"open_ends\": {ends}, \"seconds\": {}}}", Number(g.seconds))
     })?;
-    writeln!(out, "]\n}}")
+    writeln!(out, "],\n\"border\": {{{}}}\n}}", held(&found.pattern.border))
+}
+
+/// What the PLY of a graph holds, as members of JSON.
+fn held(lines: &LineGraph) -> String {
+    format!("\"vertices\": {}, \"edges\": {}", degrees(lines, |degree| degree > 0), lines.edge_count())
+}
+
+/// The number of vertices of some degree.
+fn degrees(lines: &LineGraph, is: fn(usize) -> bool) -> usize {
+    lines.edges.iter().filter(|e| is(e.len())).count()
 }

@@ -79,6 +79,7 @@ fn classes_and_returns_are_chosen_by_the_columns_that_hold_them() {
     assert_eq!(kept(&[6], Some(Returns::Last)), [2.0]);
     let message = read(&[9], None).unwrap_err().to_string();
     assert!(message.contains("none of 5 points is of these classes"), "{message}");
+    assert!(message.contains("there are the classes 2, 6, 7"), "{message}");
     let options = ReadOptions { returns: Some(Returns::Only), ..Default::default() };
     let message = from_bytes(b"0 0 0\n1 0 0\n", "a.xyz", &options).unwrap_err().to_string();
     assert!(message.contains("its points have no `"), "{message}");

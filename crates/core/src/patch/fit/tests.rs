@@ -67,3 +67,17 @@ fn a_plane_stays_a_plane() {
     let Surface::Plane { normal, .. } = found(&points, &normals) else { panic!() };
     assert!(dot(normal, axis) > 1.0 - 1e-9);
 }
+
+#[test]
+fn a_plane_with_a_few_points_of_another_face_is_no_sphere() {
+    let mut rng = Rng::new(4);
+    let mut points: Vec<[f64; 3]> = (0..600)
+        .map(|_| [rng.between(0.0, 60.0), rng.between(0.0, 40.0), rng.between(-0.05, 0.05)])
+        .collect();
+    points.extend((0..12).map(|k| [0.1, f64::from(k), -0.4 - 0.1 * f64::from(k)]));
+    let normals = vec![[0.0, 0.0, 1.0]; points.len()];
+    let Surface::Plane { normal, .. } = found(&points, &normals) else {
+        panic!("{:?}", found(&points, &normals))
+    };
+    assert!(normal[2] > 0.999, "{normal:?}");
+}
