@@ -8,7 +8,7 @@ import re
 import resource
 import signal
 import subprocess
-import time
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -63,27 +63,27 @@ class Program:
 
     def __init__(self, path: str, data: Path, folder: Path) -> None:
         self.path, self.data, self.folder = os.path.abspath(path), data, folder
-        self.slowest: dict[str, float] = {}
 
-    def run(self, *args: str, memory: int = MEMORY, stdin: bytes | None = None) -> Ran:
+    def run(self, *args: str, memory: int = MEMORY) -> Ran:
         """Runs it with these arguments in the folder for outputs."""
-        begun = time.monotonic()
+        report = self.folder / ".used"
+        report.unlink(missing_ok=True)
+        # A process is said to have held as much memory as the one that it was forked from: a small one stands between.
+        command = [sys.executable, "-I", "-S", __file__, str(memory), str(report), self.path, *args]
         with open(self.folder / ".out", "w+b") as out, open(self.folder / ".err", "w+b") as err:
             process = subprocess.Popen(
-                [self.path, *args],
-                cwd=self.folder,
-                stdin=subprocess.PIPE if stdin is not None else subprocess.DEVNULL,
-                stdout=out,
-                stderr=err,
-                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (memory, memory)),
+                command, cwd=self.folder, stdin=subprocess.DEVNULL, stdout=out, stderr=err, start_new_session=True
             )
-            if stdin is not None and process.stdin:
-                process.stdin.write(stdin)
-                process.stdin.close()
-            code, usage = wait(process.pid, begun)
-            process.returncode = code
+            try:
+                process.wait(PATIENCE)
+            except subprocess.TimeoutExpired:
+                os.killpg(process.pid, signal.SIGKILL)
+                process.wait()
             said = [bytes_of(file).decode(errors="replace") for file in (out, err)]
-        return Ran(code, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024, *said)
+        if not report.exists():
+            return Ran(-signal.SIGKILL, PATIENCE, 0.0, *said)
+        code, seconds, kilobytes = report.read_text().split()
+        return Ran(int(code), float(seconds), int(kilobytes) / 1024, *said)
 
     def found(self, command: str, file: str | Path, *args: str, name: str = "found.json") -> tuple[Any, Ran]:
         """The JSON that a command writes of a file, and the run; `None` if it wrote none."""
@@ -93,19 +93,20 @@ class Program:
         return (json.loads(output.read_text()) if output.exists() else None), ran
 
 
-def wait(pid: int, begun: float) -> tuple[int, resource.struct_rusage]:
-    """Exit code, negative for a signal, and what was used; after the patience the process is ended."""
-    while True:
-        ended, status, usage = os.wait4(pid, os.WNOHANG)
-        if ended:
-            return os.waitstatus_to_exitcode(status), usage
-        if time.monotonic() - begun > PATIENCE:
-            os.kill(pid, signal.SIGKILL)
-            _, status, usage = os.wait4(pid, 0)
-            return os.waitstatus_to_exitcode(status), usage
-        time.sleep(0.005)
+def between(memory: int, report: str, *command: str) -> None:
+    """Runs a command under a limit of address space; writes its exit code, seconds of the processor and kilobytes of memory."""
+    pid = os.fork()
+    if pid == 0:
+        resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+        os.execv(command[0], command)
+    _, status, usage = os.wait4(pid, 0)
+    Path(report).write_text(f"{os.waitstatus_to_exitcode(status)} {usage.ru_utime + usage.ru_stime} {usage.ru_maxrss}")
 
 
 def bytes_of(file: Any) -> bytes:
     file.seek(0)
     return bytes(file.read())
+
+
+if __name__ == "__main__":
+    between(int(sys.argv[1]), *sys.argv[2:])
