@@ -4,6 +4,7 @@ mod classify;
 mod clean;
 mod completions;
 mod extract;
+mod graph;
 mod groups;
 mod info;
 mod man;
@@ -19,6 +20,7 @@ pub use classify::Classify;
 pub use clean::Clean;
 pub use completions::Completions;
 pub use extract::Extract;
+pub use graph::Graph;
 pub use groups::{Reading, Running, Settings, Source, Tuning, Work};
 pub use info::Info;
 pub use man::Man;
@@ -77,6 +79,9 @@ pub enum Command {
     /// Divide a scan into its smooth patches and write their points, boundary loops and surfaces
     #[command(long_about = patches::ABOUT)]
     Patches(Patches),
+    /// Write the neighbour graph of a scan without the edges that cross a crease
+    #[command(long_about = graph::ABOUT)]
+    Graph(Graph),
     /// Draw a scan and its lines as a PNG picture
     #[command(long_about = render::ABOUT)]
     Render(Render),

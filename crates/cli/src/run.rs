@@ -5,6 +5,7 @@ mod clean;
 mod completions;
 mod context;
 mod extract;
+mod graph;
 mod info;
 mod man;
 mod page;
@@ -27,6 +28,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Classify(args) => classify::run(&args),
         Command::Clean(args) => clean::run(&args),
         Command::Patches(args) => patches::run(&args),
+        Command::Graph(args) => graph::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Report(args) => report::run(&args),
         Command::Section(args) => section::run(&args),

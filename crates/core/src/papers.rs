@@ -27,6 +27,7 @@
 //! | section 4 | chordal length parameterization | `curve::fit::fit` |
 //! | section 4.1, figures 9, 10 | wedge fitting, crease strips | not built |
 //! | section 4.2, figure 11 | corner fitting | not built |
+//! | section 5.1 | neighbor graph | `apply::graph::cut_graph` |
 //! | sections 5.1, 5.2, figure 12 | surface meshing, enrichment | not built |
 //! | section 5.3, figures 13, 14 | non photorealistic rendering | `apply::render` |
 //! | section 6.2 | isolated peaks | not built |

@@ -18,6 +18,7 @@
 mod area;
 mod beside;
 mod brep;
+mod cross;
 mod find;
 mod fit;
 mod flood;
@@ -30,6 +31,7 @@ mod sides;
 mod stations;
 
 pub use brep::{Brep, Edge, Face, Omission, Shell, brep};
+pub(crate) use cross::Crossing;
 pub(crate) use find::patches;
 pub use fit::{Fit, Surface};
 pub(crate) use ground::Ground;

@@ -3,7 +3,9 @@
 mod kinds;
 mod table;
 
-pub use kinds::{FileFormat, Format, NetworkFormat, PatchFormat, PointFormat, SectionFormat, Written};
+pub use kinds::{
+    FileFormat, Format, GraphFormat, NetworkFormat, PatchFormat, PointFormat, SectionFormat, Written,
+};
 pub use table::FORMATS;
 
 use crate::error::Error;
@@ -85,6 +87,14 @@ pub fn patch_format(path: &Path) -> Result<PatchFormat, Error> {
 /// [`Error::UnknownOutput`] with the extensions that are known.
 pub fn section_format(path: &Path) -> Result<SectionFormat, Error> {
     by_extension(path, "sections", SectionFormat::Json, |f| f.section)
+}
+
+/// The format of an output of a neighbour graph by its extension; `-`, standard output, is JSON.
+///
+/// # Errors
+/// [`Error::UnknownOutput`] with the extensions that are known.
+pub fn graph_format(path: &Path) -> Result<GraphFormat, Error> {
+    by_extension(path, "graphs", GraphFormat::Json, |f| f.graph)
 }
 
 fn by_extension<T: Copy>(

@@ -1,6 +1,7 @@
-//! From networks, points, patches and sections to files.
+//! From networks, points, patches, sections and graphs to files.
 
 mod encode;
+mod graph;
 mod network;
 mod patches;
 mod picture;
@@ -10,6 +11,7 @@ mod section;
 mod stages;
 
 pub use encode::step::StepProtocol;
+pub use graph::{GraphTable, write_graph, write_graph_to};
 pub use network::{NetworkContext, Parameter, write_network, write_network_to};
 pub use patches::write_patches;
 pub use picture::{write_picture, write_picture_to};

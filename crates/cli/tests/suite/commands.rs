@@ -37,6 +37,30 @@ fn extract_writes_beside_the_input_when_no_output_is_named() {
 }
 
 #[test]
+fn graph_writes_the_edges_that_cross_no_crease_and_with_all_the_others_too() {
+    let sandbox = Sandbox::new();
+    sandbox.write_points("cube.xyz", &cube());
+    sandbox.run(&["graph", "cube.xyz", "-o", "g.json", "-o", "g.ply", "-o", "g.csv"]).expect(0).says(&[
+        "386 points read",
+        "edges along the surface",
+        "edges across a line",
+        "g.json, g.ply, g.csv",
+    ]);
+    let graph = json(&sandbox.path("g.json"));
+    assert_eq!(
+        (graph["schema"].as_str(), graph["input"]["points"].as_u64()),
+        (Some("lineament-graph/1"), Some(386))
+    );
+    let edges = graph["edges"].as_array().unwrap().len();
+    assert_eq!(sandbox.read_text("g.csv").lines().count(), edges + 1);
+    sandbox.run(&["graph", "cube.xyz", "-o", "all.json", "--all"]).expect(0);
+    let all = json(&sandbox.path("all.json"));
+    assert_eq!(all["edges"], graph["edges"]);
+    assert!(graph["cut"].is_null() && all["cut"].as_array().unwrap().len() > 100);
+    sandbox.run(&["graph", "cube.xyz", "-o", "g.dxf"]).expect(2).says(&[".npz"]);
+}
+
+#[test]
 fn json_says_where_its_lines_come_from() {
     let sandbox = Sandbox::new();
     sandbox.write_points("cube.xyz", &cube());

@@ -61,6 +61,11 @@ impl Beside {
         &self.entries[self.first[i] as usize..self.first[i + 1] as usize]
     }
 
+    /// Puts the point's entry of this number on another side.
+    pub fn set_side(&mut self, i: usize, at: usize, side: u8) {
+        self.entries[self.first[i] as usize + at].side = side;
+    }
+
     /// Distance from the nearest strip beside the point; infinite if there is none.
     pub fn clearance(&self, i: usize) -> f64 {
         self.of(i).iter().map(|e| e.distance).fold(f64::INFINITY, f64::min)

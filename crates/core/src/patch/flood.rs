@@ -1,6 +1,7 @@
 //! Floods the neighbour graph into components that no strip crosses.
 
 use super::beside::{Beside, Entry};
+use super::cross::crosses;
 use super::ground::{Ground, NO_PATCH};
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::{dot, norm, sub};
@@ -81,15 +82,10 @@ fn joined(ground: &Ground, beside: &Beside, seam: &[bool]) -> UnionFind {
 }
 
 /// Whether two points lie on different sheets: the line between them leaves the surface at both.
-fn through(ground: &Ground, i: usize, j: usize) -> bool {
+pub(super) fn through(ground: &Ground, i: usize, j: usize) -> bool {
     let way = sub(ground.points[j], ground.points[i]);
     let off = [i, j].map(|k| dot(ground.normals[k].map(f64::from), way).abs());
     off[0].min(off[1]) - 3.0 * ground.scales.mean.noise > OFF_SURFACE * norm(way)
-}
-
-/// Whether two points lie on different sides of a strip.
-fn crosses(a: &[Entry], b: &[Entry]) -> bool {
-    a.iter().any(|e| b.iter().any(|f| e.strip == f.strip && e.side != f.side))
 }
 
 /// Gives each point without a patch that of the neighbour with the nearest tangent plane, from the patches outwards.

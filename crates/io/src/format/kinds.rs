@@ -1,4 +1,4 @@
-//! Formats by content: scans, networks, points, patches, sections.
+//! Formats by content: scans, networks, points, patches, sections, graphs.
 
 /// A file format with its uses. A line for help texts stands beside each use that writes.
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +17,8 @@ pub struct FileFormat {
     pub patches: Written<PatchFormat>,
     /// As a format of sections.
     pub section: Written<SectionFormat>,
+    /// As a format of neighbour graphs.
+    pub graph: Written<GraphFormat>,
 }
 
 /// A format that is written, with its line in help texts.
@@ -150,4 +152,18 @@ pub enum SectionFormat {
     GeoPackage,
     /// A page for browsers; without the points, which `write_report` adds.
     Html,
+}
+
+/// A format that neighbour graphs are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum GraphFormat {
+    /// The documented schema `lineament-graph/1`.
+    Json,
+    /// Points with their attributes, and edges, binary.
+    Ply,
+    /// A row for each edge.
+    Csv,
+    /// Positions and edges, an array each.
+    Npz,
 }

@@ -1,6 +1,6 @@
 //! The table of formats. A new format is a row here, a variant of an enum in `format/kinds.rs`, and a file in `read/` or `write/`.
 
-use super::kinds::{FileFormat, Format, NetworkFormat, PatchFormat, PointFormat, SectionFormat};
+use super::kinds::{FileFormat, Format, GraphFormat, NetworkFormat, PatchFormat, PointFormat, SectionFormat};
 
 /// Help lines of the formats that hold points.
 const POINTS: &str = "the points and their attributes, with class and score";
@@ -8,7 +8,16 @@ const LABELS: &str = "the points and their attributes, with the patch of each; -
 
 /// A format without a use.
 const fn named(name: &'static str, extensions: &'static [&'static str]) -> FileFormat {
-    FileFormat { name, extensions, read: None, network: None, points: None, patches: None, section: None }
+    FileFormat {
+        name,
+        extensions,
+        read: None,
+        network: None,
+        points: None,
+        patches: None,
+        section: None,
+        graph: None,
+    }
 }
 
 /// A format of points, classified or labelled by patch.
@@ -34,12 +43,14 @@ pub const FORMATS: &[FileFormat] = &[
             "loops, neighbours, areas and surfaces (schema lineament-network/2)",
         )),
         section: Some((SectionFormat::Json, "everything found (schema lineament-section/1)")),
+        graph: Some((GraphFormat::Json, "the edges with their provenance (schema lineament-graph/1)")),
         ..named("JSON", &["json"])
     },
     FileFormat {
         read: Some(Format::Ply),
         network: Some((NetworkFormat::Ply, "vertices and edges")),
         section: Some((SectionFormat::Ply, "vertices and edges")),
+        graph: Some((GraphFormat::Ply, "the points with their attributes, and the edges")),
         ..of_points("PLY", &["ply"], PointFormat::Ply)
     },
     FileFormat {
@@ -114,6 +125,7 @@ pub const FORMATS: &[FileFormat] = &[
     FileFormat {
         read: Some(Format::Table),
         network: Some((NetworkFormat::Csv, "a row for each point of each line")),
+        graph: Some((GraphFormat::Csv, "a row for each edge: the rows of its points, its length")),
         ..of_points("CSV", &["csv"], PointFormat::Csv)
     },
     FileFormat { read: Some(Format::Las), ..of_points("LAS", &["las"], PointFormat::Las) },
@@ -129,7 +141,11 @@ pub const FORMATS: &[FileFormat] = &[
         points: Some((PointFormat::Npy, "the classes alone, a byte for each point")),
         ..named("NPY", &["npy"])
     },
-    FileFormat { read: Some(Format::Npz), ..of_points("NPZ", &["npz"], PointFormat::Npz) },
+    FileFormat {
+        read: Some(Format::Npz),
+        graph: Some((GraphFormat::Npz, "arrays `xyz`, `edges`, `length`")),
+        ..of_points("NPZ", &["npz"], PointFormat::Npz)
+    },
     FileFormat {
         read: Some(Format::Parquet),
         ..of_points("Parquet", &["parquet", "pq"], PointFormat::Parquet)

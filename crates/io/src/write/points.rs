@@ -3,12 +3,12 @@
 pub(super) mod check;
 mod clean;
 mod las;
-mod npy;
+pub(super) mod npy;
 mod npz;
 mod parquet;
 mod pcd;
-mod ply;
-mod rows;
+pub(super) mod ply;
+pub(super) mod rows;
 mod table;
 mod text;
 

@@ -12,6 +12,7 @@ mod formats;
 mod gltf;
 mod gpkg;
 mod gps;
+mod graphs;
 mod grids;
 mod killed;
 mod las;

@@ -19,7 +19,7 @@ pub(super) fn write(out: &mut dyn Write, table: &PointTable) -> io::Result<()> {
 }
 
 /// The bytes of numbers, some at a time.
-pub(super) fn blocks<T: Number>(out: &mut dyn Write, numbers: &[T]) -> io::Result<()> {
+pub(in crate::write) fn blocks<T: Number>(out: &mut dyn Write, numbers: &[T]) -> io::Result<()> {
     let mut bytes = Vec::new();
     numbers.chunks(BLOCK).try_for_each(|block| {
         bytes.clear();
@@ -29,7 +29,7 @@ pub(super) fn blocks<T: Number>(out: &mut dyn Write, numbers: &[T]) -> io::Resul
 }
 
 /// The head of an array of this type and shape; its numbers follow.
-pub(super) fn header(descr: &str, shape: &str) -> Vec<u8> {
+pub(in crate::write) fn header(descr: &str, shape: &str) -> Vec<u8> {
     let mut text = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': ({shape}), }}");
     // Magic, version and length take 10 bytes; the data begin at a multiple of 64, after a line feed.
     let padding = (64 - (10 + text.len() + 1) % 64) % 64;

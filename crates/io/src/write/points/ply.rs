@@ -10,11 +10,20 @@ use std::io::{self, Write};
 /// input in its type; 64-bit integers, which PLY does not have, as double.
 pub(super) fn write(out: &mut dyn Write, table: &PointTable) -> io::Result<()> {
     let names = names(table);
-    let more: Vec<(&str, &str)> =
-        names.iter().map(|(name, kind)| (type_name(*kind), name.as_str())).collect();
+    let more = columns(&names);
     let comments = ["class: 0 smooth, 1 crease, 2 border, 3 corner, 4 clutter"];
     let comments = if table.classified() { &comments[..] } else { &[] };
     ply::header(out, comments, &[ply::vertices(table.cloud.len(), &more)])?;
+    rows(out, table)
+}
+
+/// Type and name of each property after x, y and z.
+pub(in crate::write) fn columns(names: &[(String, Scalar)]) -> Vec<(&str, &str)> {
+    names.iter().map(|(name, kind)| (type_name(*kind), name.as_str())).collect()
+}
+
+/// The vertices.
+pub(in crate::write) fn rows(out: &mut dyn Write, table: &PointTable) -> io::Result<()> {
     let mut row = Vec::with_capacity(64);
     for index in 0..table.cloud.len() {
         row.clear();

@@ -10,7 +10,7 @@ const TAKEN: [&str; 5] = ["x", "y", "z", "class", "score"];
 
 /// Names of all columns after x, y and z, with their types: class and score where there are such, then the attributes of the
 /// input, renamed where the name is taken.
-pub(super) fn names(table: &PointTable) -> Vec<(String, Scalar)> {
+pub(in crate::write) fn names(table: &PointTable) -> Vec<(String, Scalar)> {
     // Without classes the columns of a classified input keep their names.
     let taken = if table.classified() { &TAKEN[..] } else { &TAKEN[..3] };
     let mut used: BTreeMap<String, usize> = taken.iter().map(|name| (name.to_string(), 1)).collect();
@@ -52,7 +52,7 @@ pub(super) fn put(column: &Column, index: usize, wide: bool, row: &mut Vec<u8>) 
 }
 
 /// The bytes of a whole row: x, y and z as double, class, score, attributes.
-pub(super) fn bytes(table: &PointTable, index: usize, wide: bool, row: &mut Vec<u8>) {
+pub(in crate::write) fn bytes(table: &PointTable, index: usize, wide: bool, row: &mut Vec<u8>) {
     table.cloud.positions[index].iter().for_each(|c| c.put(row));
     row.extend(table.classes.get(index));
     if let Some(score) = table.scores.get(index) {

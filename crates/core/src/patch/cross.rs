@@ -1,0 +1,126 @@
+//! Which edges of the neighbour graph cross a strip.
+//!
+//! A point beside a strip is on the side whose half-line is nearer (`beside`). So near to the strip that its own error decides,
+//! a point is on the side whose face it lies nearer to. The face is fitted in the frame of a station to the points that surely
+//! lie on it: straight across the strip, and bent along it by a parabola, as the wall of a hole is.
+
+use super::beside::{Beside, Entry, beside};
+use super::ground::Ground;
+use super::orient::in_space;
+use super::stations::{Station, Stations, stations};
+use crate::math::least_squares;
+use crate::math::vec3::{dot, sub};
+use crate::network::Network;
+use crate::parallel;
+
+/// Number of stations on either side of a station from which its faces take points.
+const WINDOW: usize = 6;
+/// Greatest distance from the strip of points that a face is fitted to, spacings.
+const REACH: f64 = 2.0;
+/// Distance from the strip up to which the faces decide, spacings: beyond, the line of a strip is never as wrong as that.
+const DECIDED: f64 = 1.0;
+/// Fewest points of a face.
+const FEWEST: usize = 6;
+/// Fits of a face; in each but the first a point counts the less the farther it lay from the face.
+const FITS: usize = 3;
+
+/// The sides of the strips on which the points of a cloud lie.
+pub(crate) struct Crossing {
+    beside: Beside,
+}
+
+/// A face beside a station: the direction away from the strip, and the height over it as `a + b v + c t + d t^2` of the
+/// distance `v` in this direction and `t` along the strip.
+#[derive(Clone, Copy, Debug)]
+struct Side {
+    away: [f64; 3],
+    up: [f64; 3],
+    height: [f64; 4],
+}
+
+impl Crossing {
+    /// The sides of the strips of `network`, local frame.
+    pub(crate) fn new(ground: &Ground, network: &Network) -> Self {
+        let (stations, mut found) = beside(ground, stations(network, ground.scales, ground.points.len()));
+        let faces = faces(ground, &stations, &found);
+        let sides = parallel::flat_map(ground.points.len(), parallel::QUICK, |i, sides| {
+            let reach = DECIDED * ground.scales.at(i).spacing;
+            for (at, entry) in found.of(i).iter().enumerate().filter(|(_, e)| e.distance < reach) {
+                let station = &stations.all[entry.station as usize];
+                let [Some(a), Some(b)] = &faces[entry.station as usize] else { continue };
+                let [a, b] = [a, b].map(|face| face.off(station, ground.points[i]).abs());
+                sides.push((i, at, u8::from(b < a)));
+            }
+        });
+        sides.into_iter().for_each(|(i, at, side)| found.set_side(i, at, side));
+        Self { beside: found }
+    }
+
+    /// Whether the straight way from point `i` to point `j` leads from one side of a strip to the other.
+    pub(crate) fn between(&self, i: usize, j: usize) -> bool {
+        crosses(self.beside.of(i), self.beside.of(j))
+    }
+}
+
+/// Whether two points lie on different sides of a strip.
+pub(super) fn crosses(a: &[Entry], b: &[Entry]) -> bool {
+    a.iter().any(|e| b.iter().any(|f| e.strip == f.strip && e.side != f.side))
+}
+
+/// The faces on both sides of every station.
+fn faces(ground: &Ground, stations: &Stations, beside: &Beside) -> Vec<[Option<Side>; 2]> {
+    let mut at: Vec<[Vec<u32>; 2]> = vec![Default::default(); stations.all.len()];
+    for i in 0..ground.points.len() {
+        let reach = REACH * ground.scales.at(i).spacing;
+        for entry in beside.of(i).iter().filter(|e| !e.seam && e.nearest && e.distance <= reach) {
+            at[entry.station as usize][usize::from(entry.side)].push(i as u32);
+        }
+    }
+    parallel::flat_map(stations.border.len(), parallel::TASK, |strip, faces| {
+        let range = stations.first[strip]..stations.first[strip + 1];
+        for s in range.clone() {
+            let window = s.saturating_sub(WINDOW).max(range.start)..range.end.min(s + WINDOW + 1);
+            faces.push([0, 1].map(|side| {
+                let near = at[window.clone()].iter().flat_map(|sides| &sides[side]);
+                let points: Vec<[f64; 3]> = near.map(|&i| ground.points[i as usize]).collect();
+                Side::fit(&stations.all[s], side, &points, ground.scales.mean.unit())
+            }));
+        }
+    })
+}
+
+impl Side {
+    /// The face through points on one side of a station; `None` if they are too few, or do not determine it.
+    fn fit(station: &Station, side: usize, points: &[[f64; 3]], unit: f64) -> Option<Side> {
+        let leave = station.leaves[side].filter(|_| points.len() >= FEWEST)?;
+        let (away, up) = (in_space(station, leave), in_space(station, [-leave[1], leave[0]]));
+        let mut face = Side { away, up, height: [0.0; 4] };
+        let mut scale = f64::INFINITY;
+        for _ in 0..FITS {
+            let rows = points.iter().map(|&p| {
+                let (row, w) = face.row(station, p);
+                let off = face.off(station, p) / scale;
+                let weight = 1.0 / (1.0 + off * off);
+                (row.map(|x| weight * x), weight * w)
+            });
+            face.height = least_squares::least_squares(rows)?;
+            let mut offs: Vec<f64> = points.iter().map(|&p| face.off(station, p).abs()).collect();
+            let middle = offs.len() / 2;
+            scale = 2.0 * *offs.select_nth_unstable_by(middle, f64::total_cmp).1 + 1e-3 * unit;
+        }
+        Some(face)
+    }
+
+    /// The terms of a point and its height.
+    fn row(&self, station: &Station, p: [f64; 3]) -> ([f64; 4], f64) {
+        let d = sub(p, station.position);
+        let (t, v) = (dot(d, station.tangent), dot(d, self.away));
+        ([1.0, v, t, t * t], dot(d, self.up))
+    }
+
+    /// Height of a point over the face.
+    fn off(&self, station: &Station, p: [f64; 3]) -> f64 {
+        let (row, w) = self.row(station, p);
+        w - row.iter().zip(self.height).map(|(x, h)| x * h).sum::<f64>()
+    }
+}
