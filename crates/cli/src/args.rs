@@ -3,11 +3,13 @@
 mod classify;
 mod clean;
 mod completions;
+mod enrich;
 mod extract;
 mod graph;
 mod groups;
 mod info;
 mod man;
+mod mesh;
 mod params;
 mod parse;
 mod patches;
@@ -19,11 +21,13 @@ mod slices;
 pub use classify::Classify;
 pub use clean::Clean;
 pub use completions::Completions;
+pub use enrich::Enrich;
 pub use extract::Extract;
 pub use graph::Graph;
 pub use groups::{Reading, Running, Settings, Source, Tuning, Work};
 pub use info::Info;
 pub use man::Man;
+pub use mesh::Mesh;
 pub use params::Params;
 pub use patches::Patches;
 pub use render::Render;
@@ -82,6 +86,12 @@ pub enum Command {
     /// Write the neighbour graph of a scan without the edges that cross a crease
     #[command(long_about = graph::ABOUT)]
     Graph(Graph),
+    /// Add points along the creases and borders of a scan, and at its corners
+    #[command(long_about = enrich::ABOUT)]
+    Enrich(Enrich),
+    /// Make a mesh of a scan whose edges follow its creases
+    #[command(long_about = mesh::ABOUT)]
+    Mesh(Mesh),
     /// Draw a scan and its lines as a PNG picture
     #[command(long_about = render::ABOUT)]
     Render(Render),

@@ -1,7 +1,11 @@
-//! Applications of a result (Gumhold 2001, section 5): the neighbour graph cut at the creases, pictures.
+//! Applications of a result (Gumhold 2001, section 5): the neighbour graph cut at the creases, points along the lines, meshes, pictures.
 
+mod enrich;
 mod graph;
 mod ground;
+mod meshing;
 pub mod render;
 
+pub use enrich::{LinePoint, enriched, line_points};
 pub use graph::{CutGraph, cut_graph};
+pub use meshing::{MeshOptions, SurfaceMesh, mesh_surface};

@@ -79,6 +79,7 @@ mod classify;
 mod clean;
 mod cloud;
 pub mod curve;
+pub mod delaunay;
 pub mod detect;
 mod error;
 pub mod evaluate;

@@ -4,7 +4,8 @@ mod kinds;
 mod table;
 
 pub use kinds::{
-    FileFormat, Format, GraphFormat, NetworkFormat, PatchFormat, PointFormat, SectionFormat, Written,
+    FileFormat, Format, GraphFormat, MeshFormat, NetworkFormat, PatchFormat, PointFormat, SectionFormat,
+    Written,
 };
 pub use table::FORMATS;
 
@@ -95,6 +96,14 @@ pub fn section_format(path: &Path) -> Result<SectionFormat, Error> {
 /// [`Error::UnknownOutput`] with the extensions that are known.
 pub fn graph_format(path: &Path) -> Result<GraphFormat, Error> {
     by_extension(path, "graphs", GraphFormat::Json, |f| f.graph)
+}
+
+/// The format of an output of a mesh by its extension; `-`, standard output, is PLY.
+///
+/// # Errors
+/// [`Error::UnknownOutput`] with the extensions that are known.
+pub fn mesh_format(path: &Path) -> Result<MeshFormat, Error> {
+    by_extension(path, "meshes", MeshFormat::Ply, |f| f.mesh)
 }
 
 fn by_extension<T: Copy>(

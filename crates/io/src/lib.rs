@@ -26,15 +26,16 @@ mod write;
 
 pub use error::{Error, Place};
 pub use format::{
-    FORMATS, FileFormat, Format, GraphFormat, NetworkFormat, PatchFormat, PointFormat, SectionFormat,
-    Written, format_help, graph_format, network_format, patch_format, point_format, section_format,
+    FORMATS, FileFormat, Format, GraphFormat, MeshFormat, NetworkFormat, PatchFormat, PointFormat,
+    SectionFormat, Written, format_help, graph_format, mesh_format, network_format, patch_format,
+    point_format, section_format,
 };
 pub use output::{Output, check_output};
 pub use read::{LasFrame, LasRecord, Missing, ReadOptions, Returns, Scan, read, read_all, read_from};
 pub use unit::Unit;
 pub use write::{
     GraphTable, NetworkContext, Parameter, PointTable, Report, SectionContext, StepProtocol, label_clutter,
-    write_cleaned, write_graph, write_graph_to, write_network, write_network_to, write_patches,
-    write_picture, write_picture_to, write_points, write_points_to, write_report, write_report_to,
-    write_sections, write_sections_to, write_slice_picture, write_stages,
+    write_cleaned, write_graph, write_graph_to, write_mesh, write_mesh_to, write_network, write_network_to,
+    write_patches, write_picture, write_picture_to, write_points, write_points_to, write_report,
+    write_report_to, write_sections, write_sections_to, write_slice_picture, write_stages,
 };

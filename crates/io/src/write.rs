@@ -1,7 +1,8 @@
-//! From networks, points, patches, sections and graphs to files.
+//! From networks, points, patches, sections, graphs and meshes to files.
 
 mod encode;
 mod graph;
+mod mesh;
 mod network;
 mod patches;
 mod picture;
@@ -12,6 +13,7 @@ mod stages;
 
 pub use encode::step::StepProtocol;
 pub use graph::{GraphTable, write_graph, write_graph_to};
+pub use mesh::{write_mesh, write_mesh_to};
 pub use network::{NetworkContext, Parameter, write_network, write_network_to};
 pub use patches::write_patches;
 pub use picture::{write_picture, write_picture_to};

@@ -19,7 +19,7 @@ pub(super) struct Terrain<'a> {
     /// The strips with their points and their sources, canonical indices; no nodes, no curves.
     pub(super) network: Network,
     spacing: Vec<f32>,
-    resolution: Resolution,
+    pub(super) resolution: Resolution,
 }
 
 impl<'a> Terrain<'a> {

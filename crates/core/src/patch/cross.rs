@@ -21,6 +21,8 @@ const REACH: f64 = 2.0;
 const DECIDED: f64 = 1.0;
 /// Fewest points of a face.
 const FEWEST: usize = 6;
+/// The side of a point that lies on a strip: both.
+const BOTH: u8 = 2;
 /// Fits of a face; in each but the first a point counts the less the farther it lay from the face.
 const FITS: usize = 3;
 
@@ -56,6 +58,22 @@ impl Crossing {
         Self { beside: found }
     }
 
+    /// Puts points on strips, given the strips that each of them lies on: nothing crosses a strip from or to a point on it.
+    pub(crate) fn put_on<'a>(&mut self, points: impl Iterator<Item = (usize, &'a [u32])>) {
+        for (i, strips) in points {
+            for at in 0..self.beside.of(i).len() {
+                if strips.contains(&self.beside.of(i)[at].strip) {
+                    self.beside.set_side(i, at, BOTH);
+                }
+            }
+        }
+    }
+
+    /// Distance of point `i` from the nearest strip beside it; infinite if there is none.
+    pub(crate) fn clearance(&self, i: usize) -> f64 {
+        self.beside.clearance(i)
+    }
+
     /// Whether the straight way from point `i` to point `j` leads from one side of a strip to the other.
     pub(crate) fn between(&self, i: usize, j: usize) -> bool {
         crosses(self.beside.of(i), self.beside.of(j))
@@ -64,7 +82,7 @@ impl Crossing {
 
 /// Whether two points lie on different sides of a strip.
 pub(super) fn crosses(a: &[Entry], b: &[Entry]) -> bool {
-    a.iter().any(|e| b.iter().any(|f| e.strip == f.strip && e.side != f.side))
+    a.iter().any(|e| b.iter().any(|f| e.strip == f.strip && e.side + f.side == 1))
 }
 
 /// The faces on both sides of every station.

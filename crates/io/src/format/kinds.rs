@@ -1,4 +1,4 @@
-//! Formats by content: scans, networks, points, patches, sections, graphs.
+//! Formats by content: scans, networks, points, patches, sections, graphs, meshes.
 
 /// A file format with its uses. A line for help texts stands beside each use that writes.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +19,8 @@ pub struct FileFormat {
     pub section: Written<SectionFormat>,
     /// As a format of neighbour graphs.
     pub graph: Written<GraphFormat>,
+    /// As a format of meshes that are written.
+    pub mesh: Written<MeshFormat>,
 }
 
 /// A format that is written, with its line in help texts.
@@ -166,4 +168,20 @@ pub enum GraphFormat {
     Csv,
     /// Positions and edges, an array each.
     Npz,
+}
+
+/// A format that meshes are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum MeshFormat {
+    /// Vertices with their kind, and faces, binary.
+    Ply,
+    /// Wavefront faces.
+    Obj,
+    /// Triangles, binary, single precision.
+    Stl,
+    /// Geomview's object file format.
+    Off,
+    /// Binary glTF triangles.
+    Glb,
 }

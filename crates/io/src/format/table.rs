@@ -1,10 +1,15 @@
 //! The table of formats. A new format is a row here, a variant of an enum in `format/kinds.rs`, and a file in `read/` or `write/`.
 
-use super::kinds::{FileFormat, Format, GraphFormat, NetworkFormat, PatchFormat, PointFormat, SectionFormat};
+use super::kinds::{
+    FileFormat, Format, GraphFormat, MeshFormat, NetworkFormat, PatchFormat, PointFormat, SectionFormat,
+};
 
 /// Help lines of the formats that hold points.
 const POINTS: &str = "the points and their attributes, with class and score";
 const LABELS: &str = "the points and their attributes, with the patch of each; -1 for none";
+
+/// The help line of the formats of vertices and faces alone.
+const FACES: &str = "vertices and faces";
 
 /// A format without a use.
 const fn named(name: &'static str, extensions: &'static [&'static str]) -> FileFormat {
@@ -17,6 +22,7 @@ const fn named(name: &'static str, extensions: &'static [&'static str]) -> FileF
         patches: None,
         section: None,
         graph: None,
+        mesh: None,
     }
 }
 
@@ -51,12 +57,17 @@ pub const FORMATS: &[FileFormat] = &[
         network: Some((NetworkFormat::Ply, "vertices and edges")),
         section: Some((SectionFormat::Ply, "vertices and edges")),
         graph: Some((GraphFormat::Ply, "the points with their attributes, and the edges")),
+        mesh: Some((
+            MeshFormat::Ply,
+            "vertices with their kind (0 smooth, 1 crease, 2 border, 3 corner), faces",
+        )),
         ..of_points("PLY", &["ply"], PointFormat::Ply)
     },
     FileFormat {
         read: Some(Format::Obj),
         network: Some((NetworkFormat::Obj, "lines")),
         section: Some((SectionFormat::Obj, "lines, a group for each slice")),
+        mesh: Some((MeshFormat::Obj, FACES)),
         ..named("OBJ", &["obj"])
     },
     FileFormat {
@@ -114,6 +125,7 @@ pub const FORMATS: &[FileFormat] = &[
     FileFormat {
         read: Some(Format::Gltf),
         network: Some((NetworkFormat::Glb, "binary glTF lines")),
+        mesh: Some((MeshFormat::Glb, "binary glTF triangles, single precision about their middle")),
         ..named("GLB", &["glb"])
     },
     FileFormat { network: Some((NetworkFormat::Vtp, "VTK polygonal data")), ..named("VTP", &["vtp"]) },
@@ -134,8 +146,12 @@ pub const FORMATS: &[FileFormat] = &[
     FileFormat { read: Some(Format::Raster), ..named("ESRI grid", &["agr"]) },
     FileFormat { read: Some(Format::Pcd), ..of_points("PCD", &["pcd"], PointFormat::Pcd) },
     FileFormat { read: Some(Format::Ptx), ..named("PTX", &["ptx"]) },
-    FileFormat { read: Some(Format::Stl), ..named("STL", &["stl"]) },
-    FileFormat { read: Some(Format::Off), ..named("OFF", &["off"]) },
+    FileFormat {
+        read: Some(Format::Stl),
+        mesh: Some((MeshFormat::Stl, "binary triangles, single precision")),
+        ..named("STL", &["stl"])
+    },
+    FileFormat { read: Some(Format::Off), mesh: Some((MeshFormat::Off, FACES)), ..named("OFF", &["off"]) },
     FileFormat {
         read: Some(Format::Npy),
         points: Some((PointFormat::Npy, "the classes alone, a byte for each point")),
