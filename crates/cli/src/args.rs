@@ -1,15 +1,13 @@
 //! The command line as typed, one file for each command. Checks that need more than the text come later.
 
+mod apply;
 mod classify;
 mod clean;
 mod completions;
-mod enrich;
 mod extract;
-mod graph;
 mod groups;
 mod info;
 mod man;
-mod mesh;
 mod params;
 mod parse;
 mod patches;
@@ -18,16 +16,14 @@ mod report;
 mod section;
 mod slices;
 
+pub use apply::{Enrich, Graph, Mesh};
 pub use classify::Classify;
 pub use clean::Clean;
 pub use completions::Completions;
-pub use enrich::Enrich;
 pub use extract::Extract;
-pub use graph::Graph;
 pub use groups::{Reading, Running, Settings, Source, Tuning, Work};
 pub use info::Info;
 pub use man::Man;
-pub use mesh::Mesh;
 pub use params::Params;
 pub use patches::Patches;
 pub use render::Render;
@@ -84,13 +80,13 @@ pub enum Command {
     #[command(long_about = patches::ABOUT)]
     Patches(Patches),
     /// Write the neighbour graph of a scan without the edges that cross a crease
-    #[command(long_about = graph::ABOUT)]
+    #[command(long_about = apply::GRAPH)]
     Graph(Graph),
     /// Add points along the creases and borders of a scan, and at its corners
-    #[command(long_about = enrich::ABOUT)]
+    #[command(long_about = apply::ENRICH)]
     Enrich(Enrich),
     /// Make a mesh of a scan whose edges follow its creases
-    #[command(long_about = mesh::ABOUT)]
+    #[command(long_about = apply::MESH)]
     Mesh(Mesh),
     /// Draw a scan and its lines as a PNG picture
     #[command(long_about = render::ABOUT)]

@@ -1,15 +1,13 @@
 //! The commands.
 
+mod apply;
 mod classify;
 mod clean;
 mod completions;
 mod context;
-mod enrich;
 mod extract;
-mod graph;
 mod info;
 mod man;
-mod mesh;
 mod page;
 mod params;
 mod patches;
@@ -30,9 +28,9 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Classify(args) => classify::run(&args),
         Command::Clean(args) => clean::run(&args),
         Command::Patches(args) => patches::run(&args),
-        Command::Graph(args) => graph::run(&args),
-        Command::Enrich(args) => enrich::run(&args),
-        Command::Mesh(args) => mesh::run(&args),
+        Command::Graph(args) => apply::graph::run(&args),
+        Command::Enrich(args) => apply::enrich::run(&args),
+        Command::Mesh(args) => apply::mesh::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Report(args) => report::run(&args),
         Command::Section(args) => section::run(&args),

@@ -7,5 +7,5 @@ mod meshing;
 pub mod render;
 
 pub use enrich::{LinePoint, enriched, line_points};
-pub use graph::{CutGraph, cut_graph};
+pub use graph::{CutGraph, GraphKind, cut_graph};
 pub use meshing::{MeshOptions, SurfaceMesh, mesh_surface};

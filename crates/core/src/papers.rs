@@ -9,7 +9,9 @@
 //! | in the paper | its word | item |
 //! |---|---|---|
 //! | section 2.1 | Riemannian graph | `neighbors::riemannian::graph` |
-//! | section 2.1, figures 3, 4 | Delaunay filtering, umbrella filter | not built |
+//! | section 2.1, figure 3 | Gabriel complex | `delaunay::facets::facets` |
+//! | section 2.1 | umbrella filter | `delaunay::umbrella::umbrella` |
+//! | section 2.1, figure 4 | average edge length | `delaunay::long::without_long` |
 //! | equation 1 | average distance | `neighbors::density::mean_distance` |
 //! | equations 2, 3 | correlation matrix | `math::tensor::ellipsoid` |
 //! | figure 6 | correlation ellipsoid | `math::tensor::Ellipsoid` |
@@ -28,7 +30,9 @@
 //! | section 4.1, figures 9, 10 | wedge fitting, crease strips | not built |
 //! | section 4.2, figure 11 | corner fitting | not built |
 //! | section 5.1 | neighbor graph | `apply::graph::cut_graph` |
-//! | sections 5.1, 5.2, figure 12 | surface meshing, enrichment | not built |
+//! | section 5.2, figure 12 | enrichment | `apply::enrich::line_points` |
+//! | section 5.2 | third filter | `apply::meshing` |
+//! | section 5.1 | advancing front | not built |
 //! | section 5.3, figures 13, 14 | non photorealistic rendering | `apply::render` |
 //! | section 6.2 | isolated peaks | not built |
 //!

@@ -1,5 +1,6 @@
 //! Values of options that need parsing.
 
+use lineament::apply::GraphKind;
 use lineament::detect::baselines::Detector;
 use lineament::mesh::MOST_SAMPLES;
 use lineament::params::ParamValue;
@@ -47,6 +48,15 @@ pub fn samples(text: &str) -> Result<usize, String> {
 pub fn length(text: &str) -> Result<f64, String> {
     let length = text.parse().ok().filter(|&x: &f64| x > 0.0 && x.is_finite());
     length.ok_or_else(|| "a number above 0 was expected".into())
+}
+
+/// The name of a neighbour graph.
+pub fn graph(name: &str) -> Result<GraphKind, String> {
+    match name {
+        "riemannian" => Ok(GraphKind::Riemannian),
+        "delaunay" => Ok(GraphKind::Delaunay),
+        _ => Err("riemannian or delaunay was expected".into()),
+    }
 }
 
 /// A number from 0 to 1.

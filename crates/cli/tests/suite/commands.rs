@@ -61,6 +61,27 @@ fn graph_writes_the_edges_that_cross_no_crease_and_with_all_the_others_too() {
 }
 
 #[test]
+fn enrich_adds_points_on_the_lines_and_mesh_makes_edges_of_them() {
+    let sandbox = Sandbox::new();
+    sandbox.write_points("cube.xyz", &cube());
+    sandbox.run(&["enrich", "cube.xyz", "-o", "e.csv"]).expect(0).says(&["8 corners", "points added"]);
+    let text = sandbox.read_text("e.csv");
+    let rows: Vec<&str> = text.lines().collect();
+    assert_eq!(rows[0], "x,y,z,class,added");
+    assert!(rows[386].ends_with(",0") && rows[387].ends_with(",3,1"), "{} {}", rows[386], rows[387]);
+    sandbox.run(&["enrich", "cube.xyz", "-o", "new.csv", "--added"]).expect(0);
+    assert_eq!(sandbox.read_text("new.csv").lines().count(), rows.len() - 386);
+    sandbox
+        .run(&["mesh", "cube.xyz", "-o", "m.off", "-o", "m.glb"])
+        .expect(0)
+        .says(&["triangles over", "closed"]);
+    assert!(sandbox.read_text("m.off").starts_with("OFF\n"));
+    sandbox.run(&["mesh", "cube.xyz", "-o", "p.off", "--no-enrich"]).expect(0);
+    assert!(sandbox.read("p.off").len() < sandbox.read("m.off").len());
+    sandbox.run(&["mesh", "cube.xyz", "-o", "m.3mf"]).expect(2).says(&[".stl"]);
+}
+
+#[test]
 fn json_says_where_its_lines_come_from() {
     let sandbox = Sandbox::new();
     sandbox.write_points("cube.xyz", &cube());

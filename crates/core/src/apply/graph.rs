@@ -7,6 +7,8 @@
 //! itself, where its own error would decide, the tangent planes of both sides.
 
 use super::ground::Terrain;
+use crate::delaunay;
+use crate::error::Error;
 use crate::extract::Extraction;
 use crate::parallel;
 use crate::params::Params;
@@ -21,21 +23,43 @@ pub struct CutGraph {
     pub cut: Vec<[u32; 2]>,
 }
 
+/// Which graph is cut.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum GraphKind {
+    /// The Riemannian graph: of each point the edges to its `neighbors.k` nearest.
+    #[default]
+    Riemannian,
+    /// The edges of the filtered Delaunay triangles: about three for each point, none between parts that lie apart.
+    Delaunay,
+}
+
 /// The neighbour graph of `world`, the `(N, 3)` positions that `found` was extracted from by `params`, parted into the edges
 /// along the surface and those that cross a line of `found`. Points that were dropped and clutter have no edges; of points at
 /// one place one has them all.
 ///
+/// # Errors
+/// [`Error::TooFewPoints`] for a Delaunay graph of points of which no four span a tetrahedron.
+///
 /// ```
-/// use lineament::{Params, apply::cut_graph, extract, shapes};
+/// use lineament::{Params, extract, shapes};
+/// use lineament::apply::{GraphKind, cut_graph};
 ///
 /// let cloud = shapes::cube_386().cloud;
 /// let found = extract(&cloud, &Params::default())?;
-/// let graph = cut_graph(&cloud, &found, &Params::default());
+/// let graph = cut_graph(&cloud, &found, &Params::default(), GraphKind::Riemannian)?;
 /// assert!(!graph.cut.is_empty() && graph.edges.len() > 5 * graph.cut.len());
 /// # Ok::<(), lineament::Error>(())
 /// ```
-pub fn cut_graph(world: &(impl AsRef<[[f64; 3]]> + ?Sized), found: &Extraction, params: &Params) -> CutGraph {
-    let terrain = Terrain::new(world.as_ref(), found, params);
+pub fn cut_graph(
+    world: &(impl AsRef<[[f64; 3]]> + ?Sized),
+    found: &Extraction,
+    params: &Params,
+    kind: GraphKind,
+) -> Result<CutGraph, Error> {
+    let mut terrain = Terrain::new(world.as_ref(), found, params);
+    if kind == GraphKind::Delaunay {
+        terrain.graph = delaunay::graph(&terrain.positions)?;
+    }
     let crossing =
         (!terrain.network.strips.is_empty()).then(|| Crossing::new(&terrain.ground(), &terrain.network));
     let crosses = |i: usize, j: usize| crossing.as_ref().is_some_and(|c| c.between(i, j));
@@ -50,7 +74,7 @@ pub fn cut_graph(world: &(impl AsRef<[[f64; 3]]> + ?Sized), found: &Extraction, 
     });
     all.sort_unstable();
     let of = |cut: bool| all.iter().filter(|(_, c)| *c == cut).map(|(edge, _)| *edge).collect();
-    CutGraph { edges: of(false), cut: of(true) }
+    Ok(CutGraph { edges: of(false), cut: of(true) })
 }
 
 #[cfg(test)]
@@ -73,7 +97,7 @@ mod tests {
         let low = cloud.positions.iter().map(|p| p[0]).fold(f64::INFINITY, f64::min).round();
         let params = Params::default();
         let found = extract(&cloud, &params).unwrap();
-        let graph = cut_graph(&cloud, &found, &params);
+        let graph = cut_graph(&cloud, &found, &params, GraphKind::Riemannian).unwrap();
         // A point on an edge of the cube belongs to both faces; within a spacing of a corner the lines are not yet apart.
         let faces = |i: u32| faces(cloud.positions[i as usize], low);
         let of = |i: u32| Some(faces(i)).filter(|f| f.1 > 0.02).map(|f| f.0);
@@ -92,7 +116,10 @@ mod tests {
         let cloud =
             crate::shapes::sphere(3.0).sample(&Scan::new(Sampling::BlueNoise { count: 800 }).seed(2)).cloud;
         let found = extract(&cloud, &Params::default()).unwrap();
-        let graph = cut_graph(&cloud, &found, &Params::default());
+        let of = |kind| cut_graph(&cloud, &found, &Params::default(), kind).unwrap();
+        // Euler's formula for a closed surface of triangles.
+        assert_eq!(of(GraphKind::Delaunay).edges.len(), 3 * 800 - 6);
+        let graph = of(GraphKind::Riemannian);
         assert!(graph.cut.is_empty() && graph.edges.len() > 800 * 12 / 2);
         assert!(graph.edges.windows(2).all(|w| w[0] < w[1]) && graph.edges.iter().all(|e| e[0] < e[1]));
     }

@@ -5,7 +5,7 @@
 //! two on different sides. A fourth point has the centre on its side exactly if it lies outside the least circumsphere; this form
 //! of the test is used here, as it also holds for flat tetrahedra, whose circumspheres have no centre to speak of.
 
-use super::Triangle;
+use super::triangle::Triangle;
 use crate::math::vec3::{add, add_scaled, cross, dot, scale, sub};
 use crate::parallel;
 

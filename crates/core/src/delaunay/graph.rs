@@ -1,8 +1,8 @@
 //! The neighbour graph of the filtered triangles: it "helps to disconnect data points that lay on different surface parts", and has
 //! fewer edges than the Riemannian graph.
 
-use super::long::edges;
-use super::{Triangle, filter};
+use super::filter::filter;
+use super::triangle::{Triangle, edges};
 use crate::error::Error;
 use crate::math::vec3::distance2;
 use crate::neighbors::Neighbors;

@@ -1,7 +1,7 @@
 //! The filter of long edges: "we first computed the average edge length at each data point. Then we removed all triangles which
 //! contained an edge that was three times longer than the average edge length of the two incident vertices."
 
-use super::Triangle;
+use super::triangle::{Triangle, edges, edges_of};
 use crate::math::vec3::distance;
 use crate::neighbors::Neighbors;
 
@@ -18,21 +18,8 @@ pub(super) fn without_long(points: &[[f64; 3]], triangles: &[Triangle]) -> Vec<T
     triangles.iter().copied().filter(|t| !edges_of(t).iter().any(long)).collect()
 }
 
-/// The edges of a triangle, the lesser end first.
-pub(super) fn edges_of(&[a, b, c]: &Triangle) -> [[u32; 2]; 3] {
-    [[a, b], [a, c], [b, c]]
-}
-
-/// The edges of triangles, ascending.
-pub(super) fn edges(triangles: &[Triangle]) -> Vec<[u32; 2]> {
-    let mut edges: Vec<[u32; 2]> = triangles.iter().flat_map(edges_of).collect();
-    edges.sort_unstable();
-    edges.dedup();
-    edges
-}
-
 /// `(N)` average length of the edges at each point; zero without any.
-pub(crate) fn averages(points: &[[f64; 3]], triangles: &[Triangle]) -> Vec<f64> {
+fn averages(points: &[[f64; 3]], triangles: &[Triangle]) -> Vec<f64> {
     let mut sums = vec![(0.0, 0.0); points.len()];
     for [a, b] in edges(triangles) {
         let length = distance(points[a as usize], points[b as usize]);

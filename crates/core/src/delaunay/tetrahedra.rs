@@ -1,7 +1,8 @@
 //! The Delaunay tetrahedra of a cloud. The library stands behind this file alone.
 //!
 //! Points on one sphere, as those of a grid are, have many triangulations, and those that the library chooses need not fit
-//! together as a surface. So every point is moved by a chance offset far below the spacing, which is the same for the same point.
+//! together as a surface. So every point is moved by a chance offset far below the spacing beforehand, and all tests that follow are
+//! of the points as they were moved.
 
 use simple_delaunay_lib::delaunay_3d::delaunay_struct_3d::DelaunayStructure3D;
 use simple_delaunay_lib::delaunay_3d::simplicial_struct_3d::Node;
@@ -13,7 +14,7 @@ const OFFSET: f64 = 1e-6;
 /// Points of a tetrahedron.
 const CORNERS: usize = 4;
 
-/// `(T, 4)` the tetrahedra over distinct, finite points, `(N, 3)`.
+/// `(T, 4)` the tetrahedra over distinct, finite points in general position, `(N, 3)`, such as [`scattered`] makes them.
 ///
 /// # Errors
 /// [`Error::TooFewPoints`] for points of which no four span a tetrahedron.
@@ -23,7 +24,7 @@ pub(crate) fn tetrahedra(points: &[[f64; 3]]) -> Result<Vec<[u32; 4]>, Error> {
         return Err(too_few());
     }
     let mut structure = DelaunayStructure3D::new();
-    structure.insert_vertices(&scattered(points), true).map_err(|_| too_few())?;
+    structure.insert_vertices(&points.to_vec(), true).map_err(|_| too_few())?;
     let simplices = structure.get_simplicial();
     let mut found = Vec::with_capacity(7 * points.len());
     for t in 0..simplices.get_nb_tetrahedra() {
@@ -43,8 +44,8 @@ pub(crate) fn tetrahedra(points: &[[f64; 3]]) -> Result<Vec<[u32; 4]>, Error> {
     Ok(found)
 }
 
-/// The points with their offsets.
-fn scattered(points: &[[f64; 3]]) -> Vec<[f64; 3]> {
+/// The points with chance offsets, which depend on their places in the list alone.
+pub(crate) fn scattered(points: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let bounds = |axis: usize| {
         let along = points.iter().map(|p| p[axis]);
         along.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])

@@ -7,7 +7,8 @@
 //! trees are not pruned: their links are the edges themselves, so that the way between two neighbours is the rest of the fan.
 
 use super::facets::Facet;
-use super::{Triangle, long::at_points};
+use super::long::at_points;
+use super::triangle::Triangle;
 use crate::parallel;
 
 /// The triangles of the first fan at each point, ascending.

@@ -1,7 +1,7 @@
 //! Which edges of the neighbour graph cross a strip.
 //!
 //! A point beside a strip is on the side whose half-line is nearer (`beside`). So near to the strip that its own error decides,
-//! a point is on the side whose face it lies nearer to. The face is fitted in the frame of a station to the points that surely
+//! a point is on the side whose face it lies nearer to, and past the corner in which it ends on none. The face is fitted in the frame of a station to the points that surely
 //! lie on it: straight across the strip, and bent along it by a parabola, as the wall of a hole is.
 
 use super::beside::{Beside, Entry, beside};
@@ -23,6 +23,10 @@ const DECIDED: f64 = 1.0;
 const FEWEST: usize = 6;
 /// The side of a point that lies on a strip: both.
 const BOTH: u8 = 2;
+/// Angle between a face and the way to a point above which the point lies on another.
+const ASLANT_DEG: f64 = 40.0;
+/// Distance from the end of a strip within which a third face may begin, spacings.
+const WITHIN: f64 = 0.1;
 /// Fits of a face; in each but the first a point counts the less the farther it lay from the face.
 const FITS: usize = 3;
 
@@ -55,6 +59,8 @@ impl Crossing {
             }
         });
         sides.into_iter().for_each(|(i, at, side)| found.set_side(i, at, side));
+        let past = past(ground, network, &stations, &found);
+        past.into_iter().for_each(|(i, at)| found.set_side(i, at, BOTH));
         Self { beside: found }
     }
 
@@ -83,6 +89,34 @@ impl Crossing {
 /// Whether two points lie on different sides of a strip.
 pub(super) fn crosses(a: &[Entry], b: &[Entry]) -> bool {
     a.iter().any(|e| b.iter().any(|f| e.strip == f.strip && e.side + f.side == 1))
+}
+
+/// The entries of points on neither face of a strip: at right angles to both, or past an end in which others meet it, where a third
+/// face begins.
+fn past(ground: &Ground, network: &Network, stations: &Stations, beside: &Beside) -> Vec<(usize, usize)> {
+    let ends: Vec<u32> = network.strips.iter().flat_map(|s| [s.start, s.end]).flatten().collect();
+    let mut degree = vec![0; ends.iter().max().map_or(0, |&most| most as usize + 1)];
+    ends.iter().for_each(|&node| degree[node as usize] += 1);
+    let junction = |station: &Station| {
+        let strip = &network.strips[station.strip as usize];
+        let node = if station.end < 0.0 { strip.start } else { strip.end };
+        station.end != 0.0 && node.is_some_and(|node| degree[node as usize] >= 3)
+    };
+    parallel::flat_map(ground.points.len(), parallel::QUICK, |i, past| {
+        let spacing = ground.scales.at(i).spacing;
+        for (at, entry) in beside.of(i).iter().enumerate() {
+            let station = &stations.all[entry.station as usize];
+            let along = dot(sub(ground.points[i], station.position), station.tangent) * station.end;
+            let aslant = station.leaves[usize::from(entry.side & 1)].is_some_and(|leave| {
+                let towards = leave[0] * entry.offset[0] + leave[1] * entry.offset[1];
+                towards < ASLANT_DEG.to_radians().cos() * entry.offset[0].hypot(entry.offset[1])
+            });
+            if aslant && entry.distance > DECIDED * spacing || junction(station) && along > -WITHIN * spacing
+            {
+                past.push((i, at));
+            }
+        }
+    })
 }
 
 /// The faces on both sides of every station.

@@ -2,8 +2,8 @@
 //! own.
 
 use lineament_io::{
-    FORMATS, FileFormat, Format, format_help, graph_format, network_format, patch_format, point_format,
-    section_format,
+    FORMATS, FileFormat, Format, format_help, graph_format, mesh_format, network_format, patch_format,
+    point_format, section_format,
 };
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -82,6 +82,8 @@ fn the_page_of_formats_lists_every_format_that_is_written() {
     }
     let graphs: BTreeSet<&str> = cells(section("Graphs")).iter().map(|row| row[0]).collect();
     assert_eq!(graphs, extensions(|f| f.graph.is_some()));
+    let meshes: BTreeSet<&str> = cells(section("Meshes")).iter().map(|row| row[0]).collect();
+    assert_eq!(meshes, extensions(|f| f.mesh.is_some()));
 }
 
 #[test]
@@ -97,7 +99,8 @@ fn names_and_extensions_stand_in_one_row_each() {
             || format.points.is_some()
             || format.patches.is_some()
             || format.section.is_some()
-            || format.graph.is_some();
+            || format.graph.is_some()
+            || format.mesh.is_some();
         assert!(used, "{} has no use", format.name);
     }
 }
@@ -113,6 +116,7 @@ fn outputs_are_found_by_extension_and_unknown_ones_are_refused_with_the_known() 
         assert_eq!(patch_format(path).ok(), format.patches.map(|(format, _)| format));
         assert_eq!(section_format(path).ok(), format.section.map(|(format, _)| format));
         assert_eq!(graph_format(path).ok(), format.graph.map(|(format, _)| format));
+        assert_eq!(mesh_format(path).ok(), format.mesh.map(|(format, _)| format));
     }
     let message = section_format(Path::new("a.step")).unwrap_err().to_string();
     for extension in extensions(|f| f.section.is_some()) {

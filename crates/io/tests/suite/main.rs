@@ -32,3 +32,4 @@ mod select;
 mod shared;
 mod step;
 mod table;
+mod triangles;

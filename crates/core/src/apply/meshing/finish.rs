@@ -1,14 +1,9 @@
 //! The finish of a mesh: one fan at every vertex, the outside outside, no vertex without a triangle.
 
-use super::SurfaceMesh;
+use super::surface_mesh::{SurfaceMesh, edges};
 use super::vertices::Vertices;
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::{add, cross, dot, scale, sub};
-
-/// The edges of a triangle, the lesser end first.
-pub(super) fn edges(&[a, b, c]: &[u32; 3]) -> [[u32; 2]; 3] {
-    [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)])
-}
 
 /// The mesh of triangles over vertices, in the frame of `to_world`.
 pub(super) fn finish(

@@ -4,11 +4,15 @@
 //! The surface grows from a triangle over the edges of its border. The candidate of an edge is the triangle at it with the least
 //! empty sphere that leaves the surface a manifold; of all candidates, those that hardly turn go first, by their spheres, then
 //! the others by their turn. So the faces fill before the surface turns over a crease.
+//!
+//! Triangles that join two sides of a line stay out. Near corners it is not always known on which side a point lies, though, and a
+//! gap may be left; at the end those triangles fill it that go on from the face beside them without a turn.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use super::finish::edges;
+use super::filters::Candidate;
+use super::surface_mesh::edges;
 use crate::delaunay::Facet;
 use crate::math::vec3::{add, cross, dot, sub, unit};
 
@@ -51,23 +55,30 @@ impl PartialOrd for Entry {
 }
 
 /// The triangles of a manifold, turned alike within each connected part. `folded` says which points may lie on a fold.
-pub(super) fn grow(points: &[[f64; 3]], facets: &[Facet], folded: impl Fn(usize) -> bool) -> Vec<[u32; 3]> {
+pub(super) fn grow(
+    points: &[[f64; 3]],
+    facets: &[Candidate],
+    folded: impl Fn(usize) -> bool,
+) -> Vec<[u32; 3]> {
     let mut growth = Growth::new(points, facets);
-    let mut seeds: Vec<u32> = (0..facets.len() as u32).filter(|&f| facets[f as usize].gabriel).collect();
-    seeds.sort_by(|&a, &b| facets[a as usize].radius.total_cmp(&facets[b as usize].radius));
+    let mut seeds: Vec<u32> = (0..facets.len() as u32).filter(|&f| growth.seeds(f)).collect();
+    seeds.sort_by(|&a, &b| growth.radius(a).total_cmp(&growth.radius(b)));
     for seed in seeds {
-        let corners = facets[seed as usize].corners;
+        let corners = facets[seed as usize].facet.corners;
         if corners.iter().all(|&c| !growth.reached[c as usize]) {
             growth.add(seed, corners);
             growth.advance(&folded);
         }
     }
+    growth.last = true;
+    growth.queue_border();
+    growth.advance(&folded);
     growth.triangles
 }
 
 struct Growth<'a> {
     points: &'a [[f64; 3]],
-    facets: &'a [Facet],
+    facets: &'a [Candidate],
     /// All edges, ascending.
     edges: Vec<[u32; 2]>,
     /// `(E + 1)` beginning of each edge's triangles in `at`, which has them by their radius.
@@ -81,13 +92,15 @@ struct Growth<'a> {
     normal: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
     queue: BinaryHeap<Entry>,
+    /// Whether triangles that join two sides of a line may fill what is left.
+    last: bool,
 }
 
 impl<'a> Growth<'a> {
-    fn new(points: &'a [[f64; 3]], facets: &'a [Facet]) -> Self {
+    fn new(points: &'a [[f64; 3]], facets: &'a [Candidate]) -> Self {
         let mut all: Vec<([u32; 2], f64, u32)> = Vec::with_capacity(3 * facets.len());
         for (f, facet) in facets.iter().enumerate() {
-            all.extend(edges(&facet.corners).map(|edge| (edge, facet.radius, f as u32)));
+            all.extend(edges(&facet.facet.corners).map(|edge| (edge, facet.facet.radius, f as u32)));
         }
         all.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
         let mut edges: Vec<[u32; 2]> = all.iter().map(|a| a.0).collect();
@@ -107,7 +120,23 @@ impl<'a> Growth<'a> {
             normal: vec![[0.0; 3]; points.len()],
             triangles: Vec::new(),
             queue: BinaryHeap::new(),
+            last: false,
         }
+    }
+
+    /// Whether the surface may grow from a triangle.
+    fn seeds(&self, facet: u32) -> bool {
+        self.facets[facet as usize].facet.gabriel && !self.facets[facet as usize].across
+    }
+
+    fn radius(&self, facet: u32) -> f64 {
+        self.facets[facet as usize].facet.radius
+    }
+
+    /// Puts all edges of the border on the queue.
+    fn queue_border(&mut self) {
+        let open = (0..self.edges.len()).filter(|&edge| self.border[edge].uses == 1);
+        self.queue.extend(open.map(|edge| Entry { grade: f64::INFINITY, edge: edge as u32, facet: NONE }));
     }
 
     /// Adds triangles until no edge has a candidate.
@@ -167,7 +196,8 @@ impl<'a> Growth<'a> {
         let (from, to) = (corners[(k + 1) % 3], corners[k]);
         let normal = self.normal_of(corners);
         for &facet in &self.at[self.first[edge as usize]..self.first[edge as usize + 1]] {
-            let of_facet = self.facets[facet as usize].corners;
+            let Candidate { facet: Facet { corners: of_facet, radius, .. }, across } =
+                self.facets[facet as usize];
             let Some(&tip) =
                 of_facet.iter().find(|c| !ends.contains(c)).filter(|_| !self.used[facet as usize])
             else {
@@ -176,11 +206,12 @@ impl<'a> Growth<'a> {
             let new = [from, to, tip];
             let own = self.normal_of(new);
             let turn = dot(normal, own).clamp(-1.0, 1.0).acos();
-            if turn > MOST_TURN_DEG.to_radians() || !self.fits(new, own, folded) {
+            let flat = turn <= FLAT_DEG.to_radians();
+            let may = if across { self.last && flat } else { turn <= MOST_TURN_DEG.to_radians() };
+            if !may || !self.fits(new, own, folded) {
                 continue;
             }
-            let flat = turn <= FLAT_DEG.to_radians();
-            let grade = if flat { 1.0 / self.facets[facet as usize].radius } else { -turn };
+            let grade = if flat { 1.0 / radius } else { -turn };
             return Some((Entry { grade, edge, facet }, new));
         }
         None

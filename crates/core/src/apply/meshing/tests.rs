@@ -3,6 +3,8 @@
 use super::*;
 use crate::extract::extract;
 use crate::math::vec3::distance;
+use crate::measure::Class;
+use crate::params::Params;
 use crate::shapes::{Sampling, Scan, Shape, bracket, sheet_with_hole};
 use std::collections::BTreeSet;
 
@@ -19,7 +21,7 @@ fn the_creases_of_a_bracket_are_edges_of_a_closed_mesh() {
     let shape = bracket();
     let (mesh, spacing) = mesh(&shape, 6000, &MeshOptions::default());
     assert_eq!(mesh.open_edges(), 0);
-    let edges: BTreeSet<[u32; 2]> = mesh.triangles.iter().flat_map(finish::edges).collect();
+    let edges: BTreeSet<[u32; 2]> = mesh.triangles.iter().flat_map(surface_mesh::edges).collect();
     // Euler's formula for a solid with one bore.
     assert_eq!(mesh.vertices.len() + mesh.triangles.len(), edges.len());
     let near = |v: u32| mesh.kinds[v as usize] != Class::Smooth;
@@ -37,7 +39,7 @@ fn the_creases_of_a_bracket_are_edges_of_a_closed_mesh() {
 #[test]
 fn a_sheet_keeps_its_hole_and_its_border() {
     let (mesh, spacing) = mesh(&sheet_with_hole(), 2000, &MeshOptions::default());
-    let edges: BTreeSet<[u32; 2]> = mesh.triangles.iter().flat_map(finish::edges).collect();
+    let edges: BTreeSet<[u32; 2]> = mesh.triangles.iter().flat_map(surface_mesh::edges).collect();
     assert_eq!(mesh.vertices.len() + mesh.triangles.len(), edges.len());
     assert!(mesh.open_edges() as f64 * spacing > 40.0 * spacing);
 }

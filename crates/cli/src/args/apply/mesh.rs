@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
 
-use super::groups::Work;
-use super::parse;
+use crate::args::groups::Work;
+use crate::args::parse;
 
 /// The head of the long help.
 pub const ABOUT: &str = "\

@@ -6,10 +6,10 @@ use std::time::Instant;
 use lineament::apply::{CutGraph, cut_graph};
 use lineament_io::{GraphFormat, GraphTable, ReadOptions, graph_format, write_graph};
 
-use super::context::context;
 use crate::args;
 use crate::batch::Done;
 use crate::failure::Failure;
+use crate::run::context::context;
 use crate::source::{self, Origin};
 use crate::summary::plural;
 use crate::work::{self, Work};
@@ -33,7 +33,8 @@ fn one(work: &Work, args: &args::Graph, origin: &Origin, outputs: &[PathBuf]) ->
     let (attributes, hash) = (is(GraphFormat::Ply), is(GraphFormat::Json));
     let input = work.load(origin, &ReadOptions { attributes, hash, ..Default::default() })?;
     let found = work.extract(origin, &input)?;
-    let graph = cut_graph(&input.cloud, &found, &work.params);
+    let graph = cut_graph(&input.cloud, &found, &work.params, args.graph)
+        .map_err(|e| Failure::from(e).at(origin.shown()))?;
     let context = context(&input, &work.params, &found);
     let table = GraphTable { cloud: &input.cloud, graph: &graph, all: args.all, context: &context };
     let inputs = work.inputs_with(&input);

@@ -3,8 +3,10 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
+use lineament::apply::GraphKind;
 
-use super::groups::Work;
+use crate::args::groups::Work;
+use crate::args::parse;
 
 /// The head of the long help.
 pub const ABOUT: &str = "\
@@ -13,6 +15,7 @@ Write the neighbour graph of a scan without the edges that cross a crease
   lineament graph part.ply -o part.graph.ply           points and edges
   lineament graph part.ply -o part.npz                 arrays xyz, edges and length
   lineament graph part.ply -o part.npz --all           the edges that cross a crease too, told by `cut`
+  lineament graph part.ply -o part.csv --graph delaunay
 
 A neighbour graph joins the points that lie beside each other, and near a crease those of two faces. Without these edges, which
 join what does not belong together, whatever walks along the graph stays on its face: fits of surfaces, distances, segments
@@ -33,6 +36,10 @@ pub struct Graph {
     /// input, from 0. A folder gets NAME.graph.ply, `{stem}` stands for the name of the input, `-` is JSON on standard output
     #[arg(short, long, value_name = "OUT", required = true, value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
+    /// The graph: riemannian, the neighbors.k nearest of each point; or delaunay, the edges of the triangles that a filter of
+    /// Delaunay triangles leaves (section 2.1), about three for each point, none between parts that lie apart
+    #[arg(long, value_name = "NAME", default_value = "riemannian", value_parser = parse::graph)]
+    pub graph: GraphKind,
     /// Write the edges that cross a crease too, with a column `cut` that is 1 for them
     #[arg(long)]
     pub all: bool,

@@ -7,10 +7,10 @@ use lineament::apply::{LinePoint, enriched, line_points};
 use lineament::{Attribute, Class, Cloud, Column};
 use lineament_io::{PointFormat, PointTable, ReadOptions, Report, point_format, write_points, write_report};
 
-use super::page;
 use crate::args;
 use crate::batch::Done;
 use crate::failure::Failure;
+use crate::run::page;
 use crate::source::{self, Input, Origin};
 use crate::summary::plural;
 use crate::work::{self, Work};
