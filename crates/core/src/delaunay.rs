@@ -18,6 +18,7 @@ mod umbrella;
 pub(crate) use facets::{Facet, facets};
 pub use filter::{Filtered, filter};
 pub(crate) use graph::graph;
+pub(crate) use long::usual_lengths;
 pub(crate) use tetrahedra::{scattered, tetrahedra};
 pub use triangle::Triangle;
 pub(crate) use umbrella::umbrella;

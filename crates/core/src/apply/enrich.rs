@@ -194,7 +194,7 @@ mod tests {
         let spacing = found.report.spacing;
         let expected = length / spacing;
         assert!((0.85..=1.2).contains(&(points.len() as f64 / expected)), "{} of {expected}", points.len());
-        let truth = shape.index(0.25 * spacing);
+        let truth = shape.network.index(0.25 * spacing);
         for point in &points {
             assert!(truth.distance(point.position) < 0.75 * spacing, "{point:?}");
             assert!(distance(point.position, cloud.positions[point.source as usize]) < 4.0 * spacing);

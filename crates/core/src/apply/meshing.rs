@@ -6,8 +6,9 @@
 //! 2. `crate::delaunay`: the triangles of their Delaunay tetrahedra;
 //! 3. `filters`: without long edges, and without those that cross a line;
 //! 4. `grow`: a manifold out of them, most plausible triangles first;
-//! 5. `finish`: fans that touch in a vertex parted, and every part turned outwards.
+//! 5. `finish`: fans that touch in a vertex parted, small gaps filled (`fill`), and every part turned outwards.
 
+mod fill;
 mod filters;
 mod finish;
 mod grow;

@@ -1,7 +1,7 @@
 //! Which edges of the neighbour graph cross a strip.
 //!
 //! A point beside a strip is on the side whose half-line is nearer (`beside`). So near to the strip that its own error decides,
-//! a point is on the side whose face it lies nearer to, and past the corner in which it ends on none. The face is fitted in the frame of a station to the points that surely
+//! a point is on the side whose face it lies nearer to. The face is fitted in the frame of a station to the points that surely
 //! lie on it: straight across the strip, and bent along it by a parabola, as the wall of a hole is.
 
 use super::beside::{Beside, Entry, beside};
@@ -47,6 +47,16 @@ struct Side {
 impl Crossing {
     /// The sides of the strips of `network`, local frame.
     pub(crate) fn new(ground: &Ground, network: &Network) -> Self {
+        Self::with_ends(ground, network, false)
+    }
+
+    /// As [`Crossing::new`], but points that may lie on a third face, as beside the end of a strip at a corner, are on no side: where
+    /// triangles have to meet, one too many is less of an evil than a gap.
+    pub(crate) fn lenient(ground: &Ground, network: &Network) -> Self {
+        Self::with_ends(ground, network, true)
+    }
+
+    fn with_ends(ground: &Ground, network: &Network, lenient: bool) -> Self {
         let (stations, mut found) = beside(ground, stations(network, ground.scales, ground.points.len()));
         let faces = faces(ground, &stations, &found);
         let sides = parallel::flat_map(ground.points.len(), parallel::QUICK, |i, sides| {
@@ -59,7 +69,7 @@ impl Crossing {
             }
         });
         sides.into_iter().for_each(|(i, at, side)| found.set_side(i, at, side));
-        let past = past(ground, network, &stations, &found);
+        let past = if lenient { past(ground, network, &stations, &found) } else { Vec::new() };
         past.into_iter().for_each(|(i, at)| found.set_side(i, at, BOTH));
         Self { beside: found }
     }

@@ -30,9 +30,8 @@ fn every_format_is_read_back_with_its_vertices() {
         (MeshFormat::Stl, "m.stl"),
         (MeshFormat::Glb, "m.glb"),
     ];
-    let options = ReadOptions { vertices: true, ..Default::default() };
     for (format, name) in formats {
-        let scan = from_bytes(&bytes(format, &mesh()), name, &options).unwrap();
+        let scan = from_bytes(&bytes(format, &mesh()), name, &ReadOptions::default()).unwrap();
         let mut read = scan.cloud.positions;
         // GLB is turned so that z points up; its sizes are enough here.
         if format != MeshFormat::Glb {

@@ -1,6 +1,6 @@
 //! The triangles that a mesh may have.
 
-use crate::delaunay::{Facet, Triangle, umbrella};
+use crate::delaunay::{Facet, umbrella, usual_lengths};
 use crate::math::vec3::distance;
 use crate::parallel;
 use crate::patch::Crossing;
@@ -18,12 +18,10 @@ pub(super) struct Candidate {
     pub(super) across: bool,
 }
 
-/// The triangles without long edges and wide spheres. The usual length of an edge at a point is the median of those of the
-/// umbrella filter, not their average as in the paper: at the rim of a hole that the umbrellas close, the long edges over it would
-/// pass as usual.
+/// The triangles without long edges and wide spheres, held against the edges of the umbrella filter.
 pub(super) fn candidates(points: &[[f64; 3]], all: &[Facet], crossing: Option<&Crossing>) -> Vec<Candidate> {
     let gabriel: Vec<Facet> = all.iter().copied().filter(|f| f.gabriel).collect();
-    let usual = medians(points, &umbrella(points.len(), &gabriel));
+    let usual = usual_lengths(points, &umbrella(points.len(), &gabriel));
     let across = |i: usize, j: usize| crossing.is_some_and(|crossing| crossing.between(i, j));
     let may = parallel::map(all.len(), parallel::QUICK, |f| {
         let [a, b, c] = all[f].corners.map(|corner| corner as usize);
@@ -33,22 +31,4 @@ pub(super) fn candidates(points: &[[f64; 3]], all: &[Facet], crossing: Option<&C
         may.then(|| Candidate { facet: all[f], across: across(a, b) || across(a, c) || across(b, c) })
     });
     may.into_iter().flatten().collect()
-}
-
-/// `(N)` median length of the edges at each point; infinite without any, as nothing is known there.
-fn medians(points: &[[f64; 3]], triangles: &[Triangle]) -> Vec<f64> {
-    let mut at: Vec<Vec<f64>> = vec![Vec::new(); points.len()];
-    for &[a, b, c] in triangles {
-        // An edge of two triangles counts twice at both of its ends.
-        for [i, j] in [[a, b], [a, c], [b, c]].map(|edge| edge.map(|end| end as usize)) {
-            let length = distance(points[i], points[j]);
-            at[i].push(length);
-            at[j].push(length);
-        }
-    }
-    let median = |mut lengths: Vec<f64>| match lengths.len() {
-        0 => f64::INFINITY,
-        count => *lengths.select_nth_unstable_by(count / 2, f64::total_cmp).1,
-    };
-    at.into_iter().map(median).collect()
 }

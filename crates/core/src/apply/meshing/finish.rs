@@ -1,5 +1,6 @@
-//! The finish of a mesh: one fan at every vertex, the outside outside, no vertex without a triangle.
+//! The finish of a mesh: one fan at every vertex, small gaps filled, the outside outside, no vertex without a triangle.
 
+use super::fill::fill;
 use super::surface_mesh::{SurfaceMesh, edges};
 use super::vertices::Vertices;
 use crate::math::union_find::UnionFind;
@@ -9,11 +10,14 @@ use crate::math::vec3::{add, cross, dot, scale, sub};
 pub(super) fn finish(
     vertices: &Vertices,
     mut triangles: Vec<[u32; 3]>,
+    across: impl Fn(usize, usize) -> bool,
     to_world: impl Fn([f64; 3]) -> [f64; 3],
 ) -> SurfaceMesh {
     turn_outwards(&vertices.points, &mut triangles);
     let (corners, of) = fans(&triangles);
     let mut mesh = SurfaceMesh { triangles: corners, ..SurfaceMesh::default() };
+    let points: Vec<[f64; 3]> = of.iter().map(|&vertex| vertices.points[vertex as usize]).collect();
+    fill(&points, &mut mesh.triangles, |a, b| across(of[a as usize] as usize, of[b as usize] as usize));
     for vertex in of {
         mesh.vertices.push(to_world(vertices.points[vertex as usize]));
         mesh.kinds.push(vertices.kinds[vertex as usize]);

@@ -54,5 +54,6 @@ pub fn mesh_surface(
     let points = scattered(&vertices.points);
     let candidates = candidates(&points, &facets(&points, &tetrahedra(&points)?), crossing.as_ref());
     let grown = grow(&points, &candidates, |i| vertices.kinds[i] != Class::Smooth);
-    Ok(finish(&vertices, grown, |p| found.frame.to_world(p)))
+    let across = |i, j| crossing.as_ref().is_some_and(|crossing| crossing.between(i, j));
+    Ok(finish(&vertices, grown, across, |p| found.frame.to_world(p)))
 }

@@ -26,7 +26,7 @@ fn the_creases_of_a_bracket_are_edges_of_a_closed_mesh() {
     assert_eq!(mesh.vertices.len() + mesh.triangles.len(), edges.len());
     let near = |v: u32| mesh.kinds[v as usize] != Class::Smooth;
     let along: Vec<&[u32; 2]> = edges.iter().filter(|e| near(e[0]) && near(e[1])).collect();
-    let truth = shape.index(0.25 * spacing);
+    let truth = shape.network.index(0.25 * spacing);
     let longest = along.iter().map(|e| distance(mesh.vertices[e[0] as usize], mesh.vertices[e[1] as usize]));
     assert!(longest.fold(0.0, f64::max) < 2.0 * spacing);
     for v in (0..mesh.vertices.len()).filter(|&v| near(v as u32)) {
@@ -36,12 +36,18 @@ fn the_creases_of_a_bracket_are_edges_of_a_closed_mesh() {
     }
 }
 
+/// Length of a polyline.
+fn length(points: &[[f64; 3]]) -> f64 {
+    points.windows(2).map(|w| distance(w[0], w[1])).sum()
+}
+
 #[test]
 fn a_sheet_keeps_its_hole_and_its_border() {
     let (mesh, spacing) = mesh(&sheet_with_hole(), 2000, &MeshOptions::default());
-    let edges: BTreeSet<[u32; 2]> = mesh.triangles.iter().flat_map(surface_mesh::edges).collect();
-    assert_eq!(mesh.vertices.len() + mesh.triangles.len(), edges.len());
-    assert!(mesh.open_edges() as f64 * spacing > 40.0 * spacing);
+    // The border of the sheet and the rim of its hole, of radius 0.7.
+    let around = mesh.open_edges() as f64 * 0.7 * spacing;
+    let length: f64 = sheet_with_hole().network.curves.iter().map(|c| length(&c.points)).sum();
+    assert!((0.85..1.25).contains(&(around / length)), "{around} of {length}");
 }
 
 #[test]

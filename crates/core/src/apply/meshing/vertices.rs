@@ -62,7 +62,7 @@ impl Vertices {
         let graph = riemannian::graph(&self.points, &nearest);
         let scales = Scales::new(terrain.resolution, &spacing);
         let ground = Ground { points: &self.points, graph: &graph, normals: &[], scales };
-        let mut crossing = Crossing::new(&ground, &terrain.network);
+        let mut crossing = Crossing::lenient(&ground, &terrain.network);
         let first = self.points.len() - self.on.len();
         crossing.put_on(self.on.iter().enumerate().map(|(k, strips)| (first + k, strips.as_slice())));
         Some(crossing)
