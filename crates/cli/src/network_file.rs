@@ -45,7 +45,7 @@ fn node(value: &Value) -> Result<Node, String> {
     let kind = kinds.into_iter().find(|kind| value["kind"] == kind.name());
     let kind = kind.ok_or_else(|| format!("kind: {} is no kind of node", value["kind"]))?;
     let degree = value["degree"].as_u64().and_then(|d| d.try_into().ok()).unwrap_or(0);
-    Ok(Node { position, kind, degree, source: 0 })
+    Ok(Node { position, kind, degree, source: 0, sigma: None })
 }
 
 fn strip(value: &Value) -> Result<Strip, String> {
@@ -66,6 +66,7 @@ fn strip(value: &Value) -> Result<Strip, String> {
         curves: Vec::new(),
         deviation: 0.0,
         confidence: value["confidence"].as_f64().unwrap_or(0.0),
+        sigma: Vec::new(),
     })
 }
 

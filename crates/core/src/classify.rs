@@ -103,6 +103,7 @@ mod tests {
             evidence: None,
             deviation: 0.0,
             confidence: 1.0,
+            sigma: Vec::new(),
             curves: Vec::new(),
         };
         let network = Network { strips: (0..count).map(strip).collect(), ..Network::default() };

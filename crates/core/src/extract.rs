@@ -13,7 +13,7 @@ use crate::params::Params;
 use crate::patch::{NO_PATCH, Patches};
 use crate::pattern::Pattern;
 use crate::prepare::{Prepared, prepare};
-use crate::recover::{recover, refit, to_world};
+use crate::recover::to_world;
 use crate::report::{Clock, Progress, Report, Stage};
 use crate::resolution::Resolution;
 
@@ -67,11 +67,7 @@ fn pipeline(
     let cloud = prepare(world, params, &mut clock)?;
     let mut measure = clock.run(Stage::Detect, || detect(&cloud))?;
     let (mut pattern, clusters) = clock.run(Stage::Link, || method::link(&cloud, &mut measure, params));
-    let mut network = clock.run(Stage::Recover, || {
-        let mut network = recover(&pattern, cloud.scales(), &params.spline);
-        refit(&mut network, &cloud.positions, &cloud.graph, cloud.scales());
-        network
-    });
+    let mut network = clock.run(Stage::Recover, || method::recovered(&cloud, &measure, &pattern, params));
     let patches = method::wants_patches(params).then(|| {
         clock.run(Stage::Patches, || method::patches(&cloud, &measure, &mut pattern, &mut network, params))
     });

@@ -2,6 +2,7 @@
 
 pub(crate) mod convex_hull;
 pub(crate) mod counting_sort;
+pub(crate) mod eigen2;
 pub(crate) mod eigen3;
 pub(crate) mod least_axis;
 pub(crate) mod otsu;

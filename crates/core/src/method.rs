@@ -14,7 +14,7 @@ use crate::params::{Method, Params, PenaltyForm, SegmentForm};
 use crate::patch::{self, Ground, Patches};
 use crate::pattern::Pattern;
 use crate::prepare::Prepared;
-use crate::recover::{close_rings, recover, take_back};
+use crate::recover::{close_rings, recover, refit, sharpen, take_back};
 
 /// The parameters for a detector of the caller's own: its measure goes to the linker of the method `penalty`.
 pub(crate) fn with_own_detector(params: &Params) -> Params {
@@ -62,6 +62,16 @@ pub(crate) fn link(
             (pattern, Some(stages))
         }
     }
+}
+
+/// The network of a pattern, its creases and corners recovered from the faces if asked for.
+pub(crate) fn recovered(cloud: &Prepared, measure: &Measure, pattern: &Pattern, params: &Params) -> Network {
+    let Prepared { positions, graph, .. } = cloud;
+    let mut network = recover(pattern, cloud.scales(), &params.spline);
+    let ground = Ground { points: positions, graph, normals: &measure.normal, scales: cloud.scales() };
+    sharpen(&mut network, &ground, &params.recover, &params.spline);
+    refit(&mut network, positions, graph, cloud.scales());
+    network
 }
 
 /// Whether patches are to be found: if asked for, and by the method whose lines bound them.
@@ -119,6 +129,10 @@ pub(crate) fn notes(cloud: &Prepared, clusters: Option<&ClusterStages>, params: 
     match params.method {
         Method::Projection => projection::warning(cloud.resolution).into_iter().collect(),
         Method::Segments => clusters.and_then(noisy).into_iter().collect(),
+        Method::Auto | Method::Penalty if params.penalty.form == PenaltyForm::Paper => {
+            let (tau, borders) = (params.spanning.tau, params.spanning.borders);
+            penalty::note(tau, borders, cloud.resolution).into_iter().collect()
+        }
         Method::Auto | Method::Penalty => Vec::new(),
     }
 }

@@ -28,6 +28,9 @@ pub struct Node {
     pub degree: u32,
     /// The point of the cloud for the node's vertex in the pattern, as an index into the input.
     pub source: u32,
+    /// Standard deviation of the position on each axis, in the unit of the input, from the fits of the faces that meet here; `None` where
+    /// it was not recovered from these.
+    pub sigma: Option<[f64; 3]>,
 }
 
 /// The kind of a [`Node`], by the strips that meet in it.

@@ -27,8 +27,19 @@
 //! | section 3.3 | singleton end | `link::spanning::prune::prune` |
 //! | section 4, figure 8 | spline | `recover::spline::strip` |
 //! | section 4 | chordal length parameterization | `curve::fit::fit` |
-//! | section 4.1, figures 9, 10 | wedge fitting, crease strips | not built |
-//! | section 4.2, figure 11 | corner fitting | not built |
+//! | section 4 | feature recovery | `recover::sharpen::sharpen` |
+//! | section 4.1 | crease strips | `pattern::paths::paths` |
+//! | section 4.1 | crease points, crease direction | `recover::wedge::stations::stations` |
+//! | section 4.1, figure 9 b, c | wedge fitting, split line, zenith | `recover::wedge::split::split` |
+//! | section 4.1 | smallest eigenvalue | `math::eigen2::least_vector` |
+//! | section 4.1, figure 10 c | votes, weight, axes | `recover::wedge::vote::votes` |
+//! | section 4.1 | near zero, sign | `recover::wedge::vote::sides` |
+//! | section 4.1, figure 10 d | two planes, intersection | `recover::wedge::plane::project` |
+//! | section 4.2, figure 11 b | centroid of the neighbourhood, junction point | `recover::corner::view::View` |
+//! | section 4.2, figure 11 c | initial grouping | `recover::corner::view::sector` |
+//! | section 4.2, figure 11 d, e | k weights, no point changes | `recover::corner::group::group` |
+//! | section 4.2, figure 11 f | k planes | `recover::corner::junctions::junctions` |
+//! | section 4.2 | quadric error | `recover::corner::quadric_error::corner` |
 //! | section 5.1 | neighbor graph | `apply::graph::cut_graph` |
 //! | section 5.2, figure 12 | enrichment | `apply::enrich::line_points` |
 //! | section 5.2 | third filter | `apply::meshing` |

@@ -151,6 +151,17 @@ sections! {
         extend_spacings: f64 = 2.5, "spacings", 0.0..=100.0;
     }
 
+    /// The recovery of creases and corners from their faces (Gumhold 2001, sections 4.1 and 4.2).
+    recover: WedgeParams {
+        /// Where creases and corners are laid: `none`, on the spline through the pattern (the paper's simple solution); `paper`, where the
+        /// planes through the points of their faces meet; `quadric`, the same without the points nearest the edge, and with quadrics
+        /// where the faces bend: nearest to the truth under noise, but not yet on narrow faces.
+        wedge: WedgeForm = WedgeForm::None, "", 0.0..=0.0;
+        /// Graph distance up to which points beside a crease belong to its faces (the paper's table 1: 2 to 4); auto: one more than
+        /// that of the penalties.
+        hops: Auto<usize> = Auto::Auto, "edges", 1.0..=8.0;
+    }
+
     /// The curves fitted through the pattern (Gumhold 2001, section 4).
     spline: SplineParams {
         /// Length of strip for each span of the spline; auto: from the noise.
@@ -252,6 +263,19 @@ pub enum PenaltyForm {
 }
 
 value::choices! { PenaltyForm { Robust = "robust", Paper = "paper" } }
+
+/// Where creases and corners are laid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WedgeForm {
+    /// On the spline through the pattern.
+    None,
+    /// Where two planes meet, as printed.
+    Paper,
+    /// Where two surfaces meet, planes or quadrics, fitted without the points nearest the edge.
+    Quadric,
+}
+
+value::choices! { WedgeForm { None = "none", Paper = "paper", Quadric = "quadric" } }
 
 /// The detection method that runs, under the name of its paper's idea.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,15 +1,19 @@
 //! From a pattern to a network: strips between nodes, each with its curve.
 
+mod corner;
 mod faces;
 mod nodes;
 mod rings;
+mod sharpen;
 mod spline;
 mod tidy;
 mod verify;
+mod wedge;
 mod world;
 
 pub(crate) use faces::refit;
 pub(crate) use rings::close as close_rings;
+pub(crate) use sharpen::sharpen;
 pub(crate) use spline::span_spacings;
 pub use verify::take_back;
 pub use world::to_world;
@@ -51,6 +55,7 @@ fn append(
             kind: NodeKind::End,
             degree: 0,
             source: lines.points[cluster.vertex as usize],
+            sigma: None,
         });
     }
     let nodes = &network.nodes;

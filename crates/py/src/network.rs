@@ -131,7 +131,7 @@ impl NetworkIn<'_> {
 impl NodeIn {
     fn node(&self) -> Node {
         let kind = node_kind(&self.kind);
-        Node { position: self.position, kind, degree: self.degree, source: self.source }
+        Node { position: self.position, kind, degree: self.degree, source: self.source, sigma: None }
     }
 }
 
@@ -150,6 +150,7 @@ impl StripIn<'_> {
             fold_deg: self.fold_deg,
             evidence: self.evidence,
             confidence: self.confidence,
+            sigma: Vec::new(),
         })
     }
 }

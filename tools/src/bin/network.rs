@@ -30,6 +30,7 @@ fn network(points: usize) -> Network {
         at(angle.cos(), angle.sin(), 0.0)
     };
     let strip = |kind, ends: Option<(u32, u32)>, points: Vec<[f64; 3]>| Strip {
+        sigma: Vec::new(),
         kind,
         closed: ends.is_none(),
         start: ends.map(|e| e.0),
@@ -44,7 +45,7 @@ fn network(points: usize) -> Network {
         confidence: 0.9,
     };
     let crease = vec![at(0.0, 0.0, 0.0), at(0.5, 0.1, 0.0), at(1.0 / 3.0, 1.0, 1e-7)];
-    let node = |position, kind| Node { position, kind, degree: 1, source: 0 };
+    let node = |position, kind| Node { position, kind, degree: 1, source: 0, sigma: None };
     Network {
         nodes: vec![node(crease[0], NodeKind::Junction), node(crease[2], NodeKind::End)],
         strips: vec![

@@ -1,6 +1,6 @@
 //! Invariants of a network's nodes.
 
-use super::verdict::finite;
+use super::verdict::{deviations, finite};
 use crate::network::{Network, NodeKind};
 
 pub(super) fn faults(network: &Network) -> Vec<String> {
@@ -14,6 +14,9 @@ pub(super) fn faults(network: &Network) -> Vec<String> {
     for (i, (node, degree)) in network.nodes.iter().zip(degrees).enumerate() {
         if !finite(&node.position) {
             faults.push(format!("node {i}: position {:?} is not finite", node.position));
+        }
+        if !node.sigma.iter().all(deviations) {
+            faults.push(format!("node {i}: standard deviations {:?}", node.sigma));
         }
         if node.degree != degree {
             faults.push(format!("node {i}: degree {} but {degree} strip ends", node.degree));

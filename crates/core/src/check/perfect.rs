@@ -8,8 +8,10 @@ use crate::shapes::{self, Truth, TruthCurve};
 /// The network of a perfect extraction: the polylines of the truth as curves of degree 1, those of loops as the control points
 /// of a cubic.
 pub(crate) fn perfect(truth: &Truth) -> Network {
-    let node =
-        |n: &shapes::TruthNode| Node { position: n.position, kind: n.kind, degree: n.degree, source: 0 };
+    let node = |n: &shapes::TruthNode| {
+        let shapes::TruthNode { position, kind, degree } = *n;
+        Node { position, kind, degree, source: 0, sigma: None }
+    };
     Network {
         nodes: truth.nodes.iter().map(node).collect(),
         strips: truth.curves.iter().map(strip).collect(),
@@ -39,5 +41,6 @@ pub(crate) fn strip(curve: &TruthCurve) -> Strip {
         curves: Vec::new(),
         deviation: 0.0,
         confidence: 1.0,
+        sigma: Vec::new(),
     }
 }

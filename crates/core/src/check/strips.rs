@@ -1,6 +1,6 @@
 //! Invariants of a network's strips.
 
-use super::verdict::finite;
+use super::verdict::{deviations, finite};
 use crate::network::{Network, Strip, Trace, trace};
 
 pub(super) fn faults(network: &Network, strip: &Strip) -> Vec<String> {
@@ -42,9 +42,12 @@ fn end_faults(network: &Network, strip: &Strip) -> Vec<String> {
 }
 
 fn number_faults(strip: &Strip) -> Vec<String> {
-    let Strip { deviation, confidence, sources, .. } = strip;
+    let Strip { deviation, confidence, sources, sigma, .. } = strip;
     let stuck = sources.windows(2).find(|w| w[0] == w[1]);
+    let known = sigma.is_empty() || sigma.len() == strip.points.len();
     let faults = [
+        (!known).then(|| format!("{} standard deviations of {} points", sigma.len(), strip.points.len())),
+        (!sigma.iter().all(deviations)).then(|| "a standard deviation is no length".into()),
         (!(deviation.is_finite() && *deviation >= 0.0)).then(|| format!("deviation {deviation}")),
         (!(0.0..=1.0).contains(confidence)).then(|| format!("confidence {confidence}")),
         sources.is_empty().then(|| "no source".into()),

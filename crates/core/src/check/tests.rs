@@ -82,7 +82,7 @@ fn each_kind_goes_with_its_degree_alone() {
 
 #[test]
 fn two_nodes_at_one_place_are_named() {
-    let apex = |p| Node { position: p, kind: NodeKind::Apex, degree: 0, source: 0 };
+    let apex = |p| Node { position: p, kind: NodeKind::Apex, degree: 0, source: 0, sigma: None };
     let n = Network { nodes: vec![apex([1.0, 0.0, 2.0]), apex([1.0, -0.0, 2.0])], strips: Vec::new() };
     assert!(network(&n).unwrap_err()[0].contains("nodes 0 and 1"));
 }

@@ -6,6 +6,8 @@
 mod as_printed;
 mod robust;
 
+pub(crate) use as_printed::note;
+
 use crate::detect::evidence::hops::hops;
 use crate::measure::{Measure, Penalties};
 use crate::neighbors::{Neighbors, mean_distance};

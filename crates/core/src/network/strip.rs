@@ -32,6 +32,9 @@ pub struct Strip {
     pub evidence: Option<f64>,
     /// Confidence in the line, from 0 (chance) to 1: one minus the mean penalty share along it.
     pub confidence: f64,
+    /// `(M, 3)` standard deviation of each of `points` on each axis, in the unit of the input, from the fits of the faces that meet there;
+    /// empty where the crease was not recovered from these.
+    pub sigma: Vec<[f64; 3]>,
 }
 
 /// The kind of a strip: crease or border.

@@ -161,6 +161,7 @@ mod tests {
             evidence: None,
             curves: Vec::new(),
             confidence: 1.0,
+            sigma: Vec::new(),
         }
     }
 

@@ -45,27 +45,95 @@ pub(super) fn strip(
         positions[0] = nodes[start as usize].position;
         positions[last] = nodes[end as usize].position;
     }
-    let (span, smoothing) = (span_spacings(params, resolution) * resolution.unit(), params.smoothing);
-    let options = FitOptions { span, smoothing, closed: ends.is_none() };
-    let (curve, parameters) = fit(&positions, options);
-    let squares: f64 = positions.iter().zip(&parameters).map(|(&p, &t)| distance2(p, curve.point(t))).sum();
-    let most = (SPAN_POINTS * curve.controls.len()).min(EDGE_POINTS * positions.len());
-    let points = polyline(&curve, params.step_spacings * resolution.spacing, most);
-    let curves = typed(&positions, &parameters, &curve, points.len(), resolution);
+    let laid = laid(&positions, ends.is_none(), resolution, params);
     Strip {
         kind,
         closed: ends.is_none(),
         start: ends.map(|e| e[0]),
         end: ends.map(|e| e[1]),
-        points,
-        curve,
-        curves,
+        points: laid.points,
+        curve: laid.curve,
+        curves: laid.curves,
         sources,
         fold_deg: fold_deg(lines, path),
         evidence: evidence(lines, path),
-        deviation: (squares / positions.len() as f64).sqrt(),
+        deviation: laid.deviation,
         confidence: (1.0 - mean(path, |v| lines.penalty[v])).clamp(0.0, 1.0),
+        sigma: Vec::new(),
     }
+}
+
+/// A curve through places in order.
+struct Laid {
+    curve: BSpline,
+    points: Vec<[f64; 3]>,
+    curves: Vec<Piece>,
+    deviation: f64,
+}
+
+/// The curve through a row of places, whose ends are held unless it is closed.
+fn laid(positions: &[[f64; 3]], closed: bool, resolution: Resolution, params: &SplineParams) -> Laid {
+    let (span, smoothing) = (span_spacings(params, resolution) * resolution.unit(), params.smoothing);
+    let (curve, parameters) = fit(positions, FitOptions { span, smoothing, closed });
+    let squares: f64 = positions.iter().zip(&parameters).map(|(&p, &t)| distance2(p, curve.point(t))).sum();
+    let most = (SPAN_POINTS * curve.controls.len()).min(EDGE_POINTS * positions.len());
+    let points = polyline(&curve, params.step_spacings * resolution.spacing, most);
+    let curves = typed(positions, &parameters, &curve, points.len(), resolution);
+    Laid { deviation: (squares / positions.len() as f64).sqrt(), curve, points, curves }
+}
+
+/// Lays the curves of a strip through other places, between the nodes at its ends.
+pub(super) fn relay(
+    strip: &mut Strip,
+    places: &[Place],
+    ends: [Option<Place>; 2],
+    scales: Scales,
+    params: &SplineParams,
+) {
+    let row: Vec<Place> = ends[0].into_iter().chain(places.iter().copied()).chain(ends[1]).collect();
+    let at: Vec<[f64; 3]> = row.iter().map(|p| p.at).collect();
+    let laid = laid(&at, strip.closed, scales.finest(&strip.sources), params);
+    (strip.curve, strip.points, strip.curves) = (laid.curve, laid.points, laid.curves);
+    strip.deviation = laid.deviation;
+    strip.sigma = sigma(strip, &row);
+}
+
+/// A place that a strip is laid through, and its standard deviation on each axis if it is known.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub at: [f64; 3],
+    pub sigma: Option<[f64; 3]>,
+}
+
+/// The standard deviations at the points of a strip: those of the places it was laid through, in between in proportion to the length. A
+/// smooth curve through neighbouring places, which err alike, is hardly surer than these. Empty if no place has any.
+fn sigma(strip: &Strip, row: &[Place]) -> Vec<[f64; 3]> {
+    let lengths = |points: &mut dyn Iterator<Item = [f64; 3]>| {
+        let (mut sum, mut before) = (0.0, None);
+        let mut step = |p| {
+            sum += before.map_or(0.0, |b| distance(b, p));
+            before = Some(p);
+            sum
+        };
+        points.map(&mut step).collect::<Vec<f64>>()
+    };
+    let at = lengths(&mut row.iter().map(|p| p.at));
+    let known: Vec<(f64, [f64; 3])> = at.iter().zip(row).filter_map(|(&t, p)| Some((t, p.sigma?))).collect();
+    let (Some(first), Some(last)) = (known.first(), known.last()) else { return Vec::new() };
+    let along = lengths(&mut strip.points.iter().copied());
+    let stretch = at[at.len() - 1] / along[along.len() - 1].max(f64::MIN_POSITIVE);
+    let of = |t: f64| {
+        let next = known.partition_point(|k| k.0 <= t);
+        match (next.checked_sub(1).map(|k| known[k]), known.get(next)) {
+            (Some((a, low)), Some(&(b, high))) => {
+                let share = (t - a) / (b - a);
+                [0, 1, 2].map(|k| low[k] + share * (high[k] - low[k]))
+            }
+            (None, _) => first.1,
+            (_, None) => last.1,
+        }
+    };
+    along.iter().map(|&t| of(t * stretch)).collect()
 }
 
 /// The strip in pieces of a type. `count` points lie at even parameters on its curve.

@@ -8,6 +8,7 @@ mod metamorphic;
 mod naming;
 mod narrow_faces;
 mod projection;
+mod recovery;
 mod scales;
 mod scanned;
 mod section_axis;

@@ -48,7 +48,7 @@ fn written_networks_open_in_other_programs() {
         .map(|e| folder.path().join(format!("a.{e}")));
     assert!(Command::new(writer).args(&outputs).status().unwrap().success());
     script("opens.py", &[folder.path()]);
-    let node = Node { position: [1.0, 2.0, 3.0], kind: NodeKind::Apex, degree: 0, source: 0 };
+    let node = Node { position: [1.0, 2.0, 3.0], kind: NodeKind::Apex, degree: 0, source: 0, sigma: None };
     let loose = Network { nodes: vec![node], strips: Vec::new() };
     write_network(&folder.path().join("empty.glb"), &[], &loose, &Default::default()).unwrap();
     script("browser.py", &[folder.path()]);

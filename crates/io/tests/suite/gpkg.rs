@@ -43,6 +43,7 @@ fn strips(counts: impl Iterator<Item = usize>) -> Network {
         curves: Vec::new(),
         deviation: 0.0,
         confidence: 1.0,
+        sigma: Vec::new(),
     };
     Network { nodes: Vec::new(), strips: counts.map(strip).collect() }
 }

@@ -13,7 +13,33 @@ use crate::measure::{Direction, Measure, Penalties, Row};
 use crate::neighbors::{Neighbors, mean_distance, riemannian::Scratch};
 use crate::parallel;
 use crate::params::PenaltyParams;
+use crate::resolution::Resolution;
 use std::f64::consts::TAU;
+
+/// Border penalty of an edge across the long axis of the ellipsoid within a surface: two open angles of some 70 degrees, equation 8, and
+/// no directional part. `tau` must lie below it, or every face has false borders.
+const WITHIN: f64 = 0.8;
+/// The same for creases under noise, where no curvature stands out against the greatest.
+const NOISY: f64 = 0.6;
+/// Noise from which on this holds, spacings.
+const NOISE: f64 = 0.05;
+
+/// What the tolerance `tau` does in this form, and what to set; `None` where it is low enough.
+pub(crate) fn note(tau: f64, borders: bool, resolution: Resolution) -> Option<String> {
+    let ratio = resolution.noise / resolution.spacing;
+    if ratio >= NOISE && tau > NOISY {
+        return Some(format!(
+            "penalty.form=paper: with noise of {ratio:.2} spacings nearly every edge of the graph passes spanning.tau={tau}, and many short \
+             lines on smooth faces stay; set spanning.tau={NOISY} for fewer, or penalty.form=robust"
+        ));
+    }
+    (borders && tau > WITHIN).then(|| {
+        format!(
+            "penalty.form=paper: edges within a face have a border penalty of about {WITHIN} and pass spanning.tau={tau}, which makes \
+             false borders; set spanning.tau={WITHIN} or spanning.borders=false"
+        )
+    })
+}
 
 /// The values at a point that do not depend on the greatest curvature.
 struct Point {

@@ -35,23 +35,27 @@ pub(in crate::write) fn write(
     writeln!(out, "}},\n\"spacing\": {},", Number(context.spacing))?;
     writeln!(out, "\"noise\": {},", Number(context.noise.unwrap_or(f64::NAN)))?;
     write!(out, "\"nodes\": [")?;
-    lines(out, &network.nodes, node)?;
-    write!(out, "],\n\"strips\": [")?;
     let typed = !context.first_schema;
+    lines(out, &network.nodes, |out, id, n| node(out, id, n, typed))?;
+    write!(out, "],\n\"strips\": [")?;
     lines(out, &network.strips, |out, id, s| strip(out, id, s, typed, context.sides(id)))?;
     write!(out, "],\n\"patches\": [")?;
     lines(out, context.patches.as_ref().map_or(&[][..], |p| &p.patches), patch::patch)?;
     writeln!(out, "]\n}}")
 }
 
-fn node(out: &mut dyn Write, id: usize, node: &Node) -> io::Result<()> {
-    let Node { position, kind, degree, source } = node;
+fn node(out: &mut dyn Write, id: usize, node: &Node, known: bool) -> io::Result<()> {
+    let Node { position, kind, degree, source, sigma } = node;
     write!(
         out,
-        "{{\"id\": {id}, \"position\": {}, \"kind\": \"{}\", \"degree\": {degree}, \"source\": {source}}}",
+        "{{\"id\": {id}, \"position\": {}, \"kind\": \"{}\", \"degree\": {degree}, \"source\": {source}",
         Point(position),
         kind.name()
-    )
+    )?;
+    if let Some(sigma) = sigma.filter(|_| known) {
+        write!(out, ", \"sigma\": {}", Point(&sigma))?;
+    }
+    write!(out, "}}")
 }
 
 fn strip(
@@ -73,6 +77,11 @@ fn strip(
     if typed {
         write!(out, ", \"curves\": [")?;
         list(out, &strip.curves, |out, _, p| piece::piece(out, p))?;
+        write!(out, "]")?;
+    }
+    if typed && !strip.sigma.is_empty() {
+        write!(out, ", \"sigma\": [")?;
+        list(out, &strip.sigma, |out, _, sigma| write!(out, "{}", Point(sigma)))?;
         write!(out, "]")?;
     }
     write!(out, ", \"sources\": [")?;

@@ -45,8 +45,10 @@ pub fn network() -> Network {
         curves: curves(points),
         deviation: 1e-7,
         confidence: 0.875,
+        sigma: vec![[0.5, 0.25, 0.125]; points.len()],
     };
-    let node = |position, kind, degree| Node { position, kind, degree, source: 4 };
+    let node =
+        |position, kind, degree| Node { position, kind, degree, source: 4, sigma: Some([0.25, 0.5, 0.0]) };
     let (a, b) = ([0.1, 0.2, 0.3], [1.0 / 3.0, 5648349.895035, -1e-9]);
     Network {
         nodes: vec![node(a, NodeKind::Junction, 3), node(b, NodeKind::End, 1)],

@@ -105,7 +105,7 @@ fn json_conforms_to_the_published_schemas() {
 }
 
 #[test]
-fn typed_curves_stand_in_the_second_schema_alone() {
+fn typed_curves_and_sigma_stand_in_the_second_schema_alone() {
     let (second, first) = (json(), first_schema());
     let curves = second["strips"][0]["curves"].as_array().unwrap();
     let names: Vec<&str> = curves.iter().map(|c| c["type"].as_str().unwrap()).collect();
@@ -116,6 +116,9 @@ fn typed_curves_stand_in_the_second_schema_alone() {
     assert_eq!(curves[1]["covariance"][3][3], 1e-6);
     assert_eq!(first["schema"], "lineament-network/1");
     assert!(first["strips"][0].get("curves").is_none());
+    assert_eq!(second["strips"][0]["sigma"][2], serde_json::json!([0.5, 0.25, 0.125]));
+    assert_eq!(second["nodes"][0]["sigma"], serde_json::json!([0.25, 0.5, 0.0]));
+    assert!(first["strips"][0].get("sigma").is_none() && first["nodes"][0].get("sigma").is_none());
 }
 
 #[test]
