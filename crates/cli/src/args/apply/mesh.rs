@@ -11,13 +11,14 @@ use crate::args::parse;
 pub const ABOUT: &str = "\
 Make a mesh of triangles of a scan, whose edges follow its creases and borders
 
-  lineament mesh part.ply -o part.stl                 a closed mesh of a closed scan, turned outwards
+  lineament mesh part.ply -o part.stl                 a mesh with sharp edges, turned outwards
   lineament mesh part.ply -o part.obj --step 0.5      vertices on the creases half a spacing apart
   lineament mesh part.ply -o smooth.ply --no-enrich   of the points of the scan alone, which cuts the creases off
 
 The vertices are points of the scan and points on the lines found in it; points beside a line give way to those on it. The
-triangles are Delaunay triangles, and none of them joins the two sides of a crease (Gumhold 2001, sections 2.1, 5.1 and 5.2). The
-mesh is a manifold; where the scan has a hole or ends, the mesh does too. It goes through the points: noise stays in it.
+triangles are Delaunay triangles, which keep to one side of a crease but in gaps that nothing else closes (Gumhold 2001, sections
+2.1, 5.1 and 5.2). The mesh is a manifold; where the scan ends or has a large hole, so does the mesh, and some small gaps stay
+open: the summary counts their edges. It goes through the points: noise stays in it.
 
 There is no default output: name at least one with -o.";
 
