@@ -134,6 +134,14 @@ class Parameters(TypedDict, total=False):
     segments_extend_spacings: float
     """Gaps between small clusters of one pair of faces that are closed at once (section 2.4; robust form). (spacings; a
     number from 0 to 100; default 2.5)"""
+    recover_wedge: Literal["none", "paper", "quadric"]
+    """Where creases and corners are laid: `none`, on the spline through the pattern (the paper's simple solution);
+    `paper`, where the planes through the points of their faces meet; `quadric`, the same without the points nearest the
+    edge, and with quadrics where the faces bend: nearest to the truth under noise, but not yet on narrow faces. (one of
+    none paper quadric; default none)"""
+    recover_hops: int | Literal["auto"]
+    """Graph distance up to which points beside a crease belong to its faces (the paper's table 1: 2 to 4); auto: one
+    more than that of the penalties. (edges; auto or a whole number from 1 to 8; default auto)"""
     spline_span_spacings: float | Literal["auto"]
     """Length of strip for each span of the spline; auto: from the noise. (spacings; auto or a number from 0.5 to 1000;
     default auto)"""

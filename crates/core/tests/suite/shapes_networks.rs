@@ -52,8 +52,16 @@ fn wedge_of_90_degrees_is_its_truth() {
 }
 
 #[test]
-fn tapered_block_is_its_truth() {
-    is_its_truth(&blue_noise(&tapered_block(), 6000, 0.0), 0.95);
+fn tapered_block_is_its_truth_for_8_seeds_of_10() {
+    let good = (1..=10).filter(|&seed| {
+        let scan = tapered_block().sample(&Scan::new(Sampling::BlueNoise { count: 6000 }).seed(seed));
+        let network = found(&scan.cloud).network;
+        let score = evaluate::against(&network, &scan.truth, scan.spacing);
+        assert!(score.at_1h.f1 >= 0.95, "seed {seed}: {score:?}");
+        evaluate::isomorphic(&network, &scan.truth)
+    });
+    let good: Vec<u64> = good.collect();
+    assert!(good.len() >= 8, "only seeds {good:?}");
 }
 
 #[test]

@@ -14,6 +14,9 @@ const SAME: f64 = 1.0;
 const GOES_ON: f64 = 2.0;
 /// Least length of a piece of strip between chains that do not end there, in spacings.
 const LENGTH: f64 = 4.0;
+/// Distance within which a piece runs beside a chain all along, in spacings, and its least length there: points beside an edge whose
+/// chain was led on to a corner make such a piece.
+const BESIDE: (f64, f64) = (1.6, 8.0);
 
 /// Strips, and the part of them that lies beside no chain.
 struct Free<'a> {
@@ -21,6 +24,8 @@ struct Free<'a> {
     scales: Scales<'a>,
     /// `(V)` whether each vertex lies beside no chain, or stays with its strip.
     free: Vec<bool>,
+    /// `(V)` whether each vertex lies at a distance from a chain that other lines have seldom.
+    beside: Vec<bool>,
     /// `(V)` a vertex that stands for the connected piece of free vertices.
     piece: Vec<u32>,
 }
@@ -52,12 +57,12 @@ impl<'a> Free<'a> {
     fn new(graph: &Graph, strips: &'a LineGraph, whole: &[bool], scales: Scales<'a>) -> Free<'a> {
         let count = strips.edges.len();
         let samples = Samples::new(graph.edges());
-        let mut free = Free { strips, scales, free: Vec::new(), piece: Vec::new() };
-        let clear = |v: usize| {
-            let reach = SAME * free.spacing(v);
-            whole[v] || samples.nearest(strips.positions[v], reach, |_| true).is_none()
+        let mut free = Free { strips, scales, free: Vec::new(), beside: Vec::new(), piece: Vec::new() };
+        let near = |v: usize, reach: f64| {
+            samples.nearest(strips.positions[v], reach * free.spacing(v), |_| true).is_some()
         };
-        free.free = (0..count).map(clear).collect();
+        let clear = (0..count).map(|v| whole[v] || !near(v, SAME)).collect();
+        (free.beside, free.free) = ((0..count).map(|v| !whole[v] && near(v, BESIDE.0)).collect(), clear);
         let mut sets = UnionFind::new(count);
         for (a, b) in free.pairs().filter(|&(a, b)| free.free[a] && free.free[b]) {
             sets.union(a as u32, b as u32);
@@ -101,9 +106,13 @@ impl<'a> Free<'a> {
             let step = distance(self.strips.positions[a], self.strips.positions[b]);
             length[self.piece[a] as usize] += step / self.spacing(a);
         }
+        let mut apart = vec![false; self.free.len()];
+        let off = (0..self.free.len()).filter(|&v| self.free[v] && !self.beside[v]);
+        off.for_each(|v| apart[self.piece[v] as usize] = true);
+        let least = |piece: usize| if apart[piece] { LENGTH } else { BESIDE.1 };
         let mut kept = vec![true; self.free.len()];
         let pieces = || joints.iter().map(|j| (self.piece[j.vertex as usize] as usize, j.loose));
-        pieces().for_each(|(piece, _)| kept[piece] = length[piece] >= LENGTH);
+        pieces().for_each(|(piece, _)| kept[piece] = length[piece] >= least(piece));
         pieces().filter(|(_, loose)| *loose).for_each(|(piece, _)| kept[piece] = true);
         kept
     }
