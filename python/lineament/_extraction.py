@@ -69,7 +69,7 @@ class Extraction:
         return f"Extraction({self.network!r}, {len(self.classes)} points)"
 
 
-LINES = ("method", "neighbors", "surface", "penalty", "projection", "edgelets", "spanning", "repair", "segments", "spline", "patches")
+LINES = ("method", "neighbors", "surface", "penalty", "projection", "edgelets", "spanning", "repair", "segments", "recover", "spline", "patches")
 """The sections of the table of parameters that concern lines."""
 
 
