@@ -1,16 +1,20 @@
-//! Meshes as inputs: where their vertices are too few to show the surface, points are sampled over their faces.
+//! Meshes as inputs: the lines at which their faces meet at an angle; and where their vertices are too few to show the surface, points
+//! sampled over the faces.
 //!
 //! A CAD program writes a box with eight vertices and twelve triangles: the surface is there, but not in the vertices. The
 //! mesh of a scan, on the other hand, has a vertex wherever the scanner measured a point.
 
 mod canonical;
 mod dense;
+mod edges;
 mod eliminate;
 mod faces;
 mod features;
 mod scatter;
+mod sharp;
 mod triangles;
 
+pub use edges::{MeshLine, lines};
 pub use faces::Faces;
 
 use canonical::Surface;

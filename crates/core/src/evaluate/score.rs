@@ -1,126 +1,136 @@
-//! Scores a network by its distances from a known truth, in spacings.
+//! Scores lines by their distances from known ones, in spacings.
 //!
-//! Both are cut into pieces of a fifth of a spacing, and the distance of each piece's end from the other is measured. Stretches
-//! of the truth below its `weak_below_deg` count neither for nor against.
+//! Both are cut into pieces of a fifth of a spacing, and the distance of each piece's end from the other is measured. Weak lines of
+//! the truth, such as stretches below its `weak_below_deg`, count neither for nor against.
 
-use crate::math::vec3::distance;
-use crate::network::{Network, NodeKind};
-use crate::shapes::{Tree, Truth, densify};
+use super::chamfer::Chamfer;
+use super::figures::{Distances, Hits, share};
+use super::lines::{LineKind, Lines};
+use super::rounded::Rounded;
+use super::sides::{Row, Scoring, Sides};
+use super::topology::{Graph, Topology};
+use super::types::Types;
+use super::wireframe::Wireframe;
+use crate::network::Network;
+use crate::shapes::{Tree, Truth};
 
-/// The score of a network: the result of [`against`].
+/// Ends of found lines nearer than this are one node, spacings.
+const SAME_NODE: f64 = 0.25;
+/// Ends of known lines nearer than this are one node, shares of the diagonal of their box.
+const SAME_KNOWN: f64 = 1e-6;
+/// Share of a curve's length that must lie near for it to be found.
+const WHOLE: f64 = 0.9;
+/// Length from which on a curve counts, spacings.
+const SHORTEST: f64 = 3.0;
+
+/// The score of lines: the result of [`score`] and [`against`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Score {
     /// Shares within one spacing.
     pub at_1h: Hits,
     /// Shares within two spacings.
     pub at_2h: Hits,
-    /// From the network to the truth.
+    /// The tolerances asked for, in spacings, with the shares within them.
+    pub at: Vec<(f64, Hits)>,
+    /// From the found lines to the truth.
     pub to_truth: Distances,
-    /// From the truth to the network.
+    /// From the truth to the found lines.
     pub from_truth: Distances,
-    /// Closed strips, and closed curves of the truth.
+    /// Share of the known creases, and of the known borders, within one spacing; NaN where there are none.
+    pub recall_by_kind: [f64; 2],
+    /// Closed lines that were found, and closed ones of the truth.
     pub loops: [usize; 2],
+    /// The graphs of the found lines and of the truth.
+    pub topology: [Topology; 2],
     /// Curves of the truth with 90 % of their length within one spacing of the network, and all those that count: curves of at
     /// least 3 spacings.
     pub curves_found: [usize; 2],
-    /// Junctions of the truth within two spacings of a strip's end, and all junctions.
+    /// Junctions of the truth within two spacings of a line's end, and all junctions.
     pub junctions_hit: [usize; 2],
-    /// Length of all strips in spacings.
+    /// Length of all found lines in spacings.
     pub length_spacings: f64,
-}
-
-/// Precision, recall and their harmonic mean at one tolerance, from 0 to 1; 0 if there is nothing to count.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hits {
-    /// Share of the network's length that is near the truth.
-    pub precision: f64,
-    /// Share of the truth's length that is near the network.
-    pub recall: f64,
-    /// Harmonic mean of both.
-    pub f1: f64,
-}
-
-/// Distances in spacings; NaN if there is nothing to measure.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Distances {
-    /// Mean distance along the length.
-    pub mean: f64,
-    /// Greatest distance.
-    pub max: f64,
+    /// Length of all known lines in spacings.
+    pub truth_spacings: f64,
+    /// Types of curves; `None` where either side has none.
+    pub types: Option<Types>,
+    /// Edges that are rounded; `None` where the truth knows none.
+    pub rounded: Option<Rounded>,
+    /// Chamfer and Hausdorff distance; `None` where either side is empty.
+    pub chamfer: Option<Chamfer>,
+    /// Corners and edges of the graphs, one to one, within two spacings.
+    pub wireframe: Wireframe,
 }
 
 /// Scores a network against the truth of a scan; `spacing` is the scan's mean spacing, above 0, in the unit of both.
 pub fn against(network: &Network, truth: &Truth, spacing: f64) -> Score {
-    let step = spacing / 5.0;
-    let strips = network.strips.iter().filter(|s| s.points.len() > 1);
-    let found: Vec<[f64; 3]> = strips.flat_map(|s| densify(&s.points, s.closed, step)).collect();
-    let dense = |weak: bool| -> Vec<[f64; 3]> {
-        let parts = truth.curves.iter().flat_map(|c| truth.parts(c, weak));
-        parts.flat_map(|p| densify(&p.points, p.closed, step)).collect()
-    };
-    let (sharp, weak) = (dense(false), Tree::new(&dense(true)));
-    let (found_tree, sharp_tree) = (Tree::new(&found), Tree::new(&sharp));
-    let cared = |p: &[f64; 3]| {
-        let d = away(&sharp_tree, p, spacing);
-        (d <= 1.0 || away(&weak, p, spacing) > 2.0).then_some(d)
-    };
-    let to_truth: Vec<f64> = found.iter().filter_map(cared).collect();
-    let from_truth: Vec<f64> = sharp.iter().map(|p| away(&found_tree, p, spacing)).collect();
+    let loops = [network.loops(), truth.loops()];
+    Score { loops, ..score(&network.into(), &truth.into(), &Scoring::new(spacing)) }
+}
+
+/// Scores lines against known ones.
+pub fn score(found: &Lines, known: &Lines, scoring: &Scoring) -> Score {
+    let sides = Sides::new(found, known, scoring);
+    let found_points = sides.found.iter().flat_map(|r| &r.points);
+    let known_points = sides.known.iter().flat_map(|r| &r.points);
+    let to_truth: Vec<f64> = found_points.filter_map(|&p| sides.to_truth(p)).collect();
+    let from_truth: Vec<f64> = known_points.map(|&p| sides.from_truth(p)).collect();
+    let hits = |tolerance: f64| Hits::at(tolerance, &to_truth, &from_truth);
+    let graphs =
+        [graph_of(found, SAME_NODE * scoring.spacing), graph_of(known, SAME_KNOWN * diagonal(known))];
+    let closed = |lines: &Lines| lines.sharp().filter(|l| l.closed).count();
+    let length = |rows: &[Row]| rows.iter().map(Row::length).sum::<f64>() / scoring.spacing;
     Score {
-        at_1h: Hits::at(1.0, &to_truth, &from_truth),
-        at_2h: Hits::at(2.0, &to_truth, &from_truth),
+        at_1h: hits(1.0),
+        at_2h: hits(2.0),
+        at: scoring.tolerances.iter().map(|&tolerance| (tolerance, hits(tolerance))).collect(),
         to_truth: Distances::of(&to_truth),
         from_truth: Distances::of(&from_truth),
-        loops: [network.loops(), truth.loops()],
-        curves_found: curves_found(truth, &found_tree, spacing),
-        junctions_hit: junctions_hit(network, truth, spacing),
-        length_spacings: network.strips.iter().map(|s| s.length()).sum::<f64>() / spacing,
+        recall_by_kind: [LineKind::Crease, LineKind::Border].map(|kind| recall(&sides, kind)),
+        loops: [closed(found), closed(known)],
+        curves_found: curves_found(&sides),
+        junctions_hit: junctions_hit(found, known, &graphs[1], scoring.spacing),
+        length_spacings: length(&sides.found),
+        truth_spacings: length(&sides.known),
+        types: Types::of(found, known, scoring.spacing),
+        rounded: Rounded::of(found, known, scoring.spacing),
+        chamfer: Chamfer::of(found, known),
+        wireframe: Wireframe::of(&graphs[0], &graphs[1], 2.0 * scoring.spacing),
+        topology: graphs.each_ref().map(Graph::topology),
     }
 }
 
-/// Distance to the nearest point of a tree in spacings.
-fn away(tree: &Tree, p: &[f64; 3], spacing: f64) -> f64 {
-    tree.nearest(*p).map_or(f64::INFINITY, |(_, d2)| d2.sqrt() / spacing)
+fn graph_of(lines: &Lines, tolerance: f64) -> Graph {
+    Graph::new(lines.sharp(), tolerance)
 }
 
-fn share(distances: &[f64], tolerance: f64) -> f64 {
-    let near = distances.iter().filter(|&&d| d <= tolerance).count();
-    near as f64 / distances.len().max(1) as f64
+fn diagonal(lines: &Lines) -> f64 {
+    lines.bounds().map_or(0.0, |[low, high]| crate::math::vec3::distance(low, high))
 }
 
-impl Hits {
-    fn at(tolerance: f64, to_truth: &[f64], from_truth: &[f64]) -> Self {
-        let (precision, recall) = (share(to_truth, tolerance), share(from_truth, tolerance));
-        let sum = precision + recall;
-        Self { precision, recall, f1: if sum > 0.0 { 2.0 * precision * recall / sum } else { 0.0 } }
+/// The share of the known lines of a kind within one spacing.
+fn recall(sides: &Sides, kind: LineKind) -> f64 {
+    let rows = sides.known.iter().filter(|r| r.line.kind == kind);
+    let far: Vec<f64> = rows.flat_map(|r| &r.points).map(|&p| sides.from_truth(p)).collect();
+    if far.is_empty() { f64::NAN } else { share(&far, 1.0) }
+}
+
+fn curves_found(sides: &Sides) -> [usize; 2] {
+    let long = sides.known.iter().filter(|r| r.length() >= SHORTEST * sides.scoring.spacing);
+    let found = |row: &&Row| {
+        let near: Vec<f64> = row.points.iter().map(|&p| sides.from_truth(p)).collect();
+        share(&near, 1.0) >= WHOLE
+    };
+    [long.clone().filter(found).count(), long.count()]
+}
+
+fn junctions_hit(found: &Lines, known: &Lines, graph: &Graph, spacing: f64) -> [usize; 2] {
+    let mut ends = Vec::new();
+    for line in found.sharp() {
+        ends.extend(line.points.first().copied());
+        ends.extend(line.points.last().copied().filter(|_| !line.closed));
     }
-}
-
-impl Distances {
-    fn of(all: &[f64]) -> Self {
-        let finite: Vec<f64> = all.iter().copied().filter(|d| d.is_finite()).collect();
-        let mean = finite.iter().sum::<f64>() / finite.len() as f64;
-        Self { mean, max: finite.iter().copied().fold(f64::NAN, f64::max) }
-    }
-}
-
-fn curves_found(truth: &Truth, found: &Tree, spacing: f64) -> [usize; 2] {
-    let mut counts = [0, 0];
-    for part in truth.curves.iter().flat_map(|c| truth.parts(c, false)) {
-        let line = densify(&part.points, part.closed, spacing / 5.0);
-        if line.windows(2).map(|w| distance(w[0], w[1])).sum::<f64>() >= 3.0 * spacing {
-            let near: Vec<f64> = line.iter().map(|p| away(found, p, spacing)).collect();
-            counts[0] += usize::from(share(&near, 1.0) >= 0.9);
-            counts[1] += 1;
-        }
-    }
-    counts
-}
-
-fn junctions_hit(network: &Network, truth: &Truth, spacing: f64) -> [usize; 2] {
-    let ends = network.strips.iter().flat_map(|s| [s.points.first(), s.points.last()]).flatten();
-    let ends = Tree::new(&ends.copied().collect::<Vec<_>>());
-    let junctions = truth.nodes.iter().filter(|n| n.kind == NodeKind::Junction);
-    let hit = junctions.clone().filter(|n| away(&ends, &n.position, spacing) <= 2.0);
-    [hit.count(), junctions.count()]
+    let ends = Tree::new(&ends);
+    let junctions = known.junctions.clone().unwrap_or_else(|| graph.junctions());
+    let near = |p: &&[f64; 3]| ends.nearest(**p).is_some_and(|(_, d2)| d2.sqrt() <= 2.0 * spacing);
+    [junctions.iter().filter(near).count(), junctions.len()]
 }

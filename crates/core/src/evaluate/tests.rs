@@ -1,3 +1,5 @@
+mod lines;
+
 use super::*;
 use crate::check::perfect::{perfect, strip};
 use crate::network::{Network, Strip, StripKind};

@@ -1,6 +1,7 @@
 //! The size of the smallest features of a mesh: chains of sharp edges by their extent, the faces between them by their width.
 
 use super::canonical::Surface;
+use super::sharp::Edges;
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::{distance, dot, sub, unit};
 
@@ -24,7 +25,7 @@ pub(super) fn samples(surface: &Surface, feature: Option<f64>) -> usize {
 
 /// The size of the smallest features, local frame; `None` for a surface without sharp edges and borders.
 pub(super) fn size(surface: &Surface) -> Option<f64> {
-    let edges = Edges::new(surface);
+    let edges = Edges::new(surface, SHARP);
     let chains = least(edges.chains(surface))?;
     Some(least(edges.widths(surface)).map_or(chains, |widths| widths.min(chains)))
 }
@@ -40,35 +41,7 @@ fn least(mut sizes: Vec<(f64, f64)>) -> Option<f64> {
     })
 }
 
-/// Edges between triangles.
-struct Edges {
-    /// Vertices of sharp edges and borders, and the triangles beside them.
-    sharp: Vec<([u32; 2], Vec<u32>)>,
-    /// Pairs of triangles that an edge joins smoothly.
-    smooth: Vec<[u32; 2]>,
-}
-
 impl Edges {
-    fn new(surface: &Surface) -> Self {
-        let sides = |(t, v): (usize, &[u32; 3])| {
-            let side = |i: usize, j: usize| ([v[i].min(v[j]), v[i].max(v[j])], t as u32, v[i] < v[j]);
-            [side(0, 1), side(1, 2), side(2, 0)]
-        };
-        let mut all: Vec<([u32; 2], u32, bool)> =
-            surface.triangles.iter().enumerate().flat_map(sides).collect();
-        all.sort_unstable();
-        let (mut sharp, mut smooth) = (Vec::new(), Vec::new());
-        for beside in all.chunk_by(|a, b| a.0 == b.0) {
-            match beside {
-                [(_, a, up), (_, b, down)] if cosine(surface, *a, *b, up == down) >= SHARP => {
-                    smooth.push([*a, *b])
-                }
-                _ => sharp.push((beside[0].0, beside.iter().map(|side| side.1).collect())),
-            }
-        }
-        Self { sharp, smooth }
-    }
-
     /// The extent and the length of every chain of sharp edges.
     fn chains(&self, surface: &Surface) -> Vec<(f64, f64)> {
         let at = |v: u32| surface.vertices[v as usize];
@@ -123,11 +96,4 @@ impl Edges {
             .map(|(area, around)| (2.0 * area / around, around))
             .collect()
     }
-}
-
-/// The cosine of the angle between the normals of two triangles; `same` says that both run along their edge in one sense, so that one
-/// of them is the wrong way round.
-fn cosine(surface: &Surface, a: u32, b: u32, same: bool) -> f64 {
-    let [n, m] = [a, b].map(|t| surface.normals[t as usize]);
-    if same { -dot(n, m) } else { dot(n, m) }
 }
