@@ -31,7 +31,9 @@ pub use format::{
     point_format, section_format,
 };
 pub use output::{Output, check_output};
-pub use read::{LasFrame, LasRecord, Missing, ReadOptions, Returns, Scan, read, read_all, read_from};
+pub use read::{
+    LasFrame, LasRecord, LineFile, Missing, ReadOptions, Returns, Scan, read, read_all, read_from, read_lines,
+};
 pub use unit::Unit;
 pub use write::{
     GraphTable, NetworkContext, Parameter, PointTable, Report, SectionContext, StepProtocol, label_clutter,

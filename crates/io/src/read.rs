@@ -7,6 +7,7 @@ mod gltf;
 mod join;
 pub(crate) mod las;
 mod limit;
+mod lines;
 mod mesh;
 mod npy;
 mod npz;
@@ -179,6 +180,7 @@ impl Decoded {
 
 pub use join::read_all;
 pub use las::{LasFrame, Record as LasRecord};
+pub use lines::{LineFile, read_lines};
 
 /// Reads the point cloud in the file at `path`; `-` is standard input.
 ///

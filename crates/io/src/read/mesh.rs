@@ -28,7 +28,7 @@ pub(super) fn sampled(mut decoded: Decoded, options: &ReadOptions) -> (Decoded, 
 }
 
 /// Takes the faces whose vertices are all there, and warns of the others.
-fn sound(decoded: &mut Decoded) -> Faces {
+pub(super) fn sound(decoded: &mut Decoded) -> Faces {
     let points = decoded.cloud.len();
     let mut faces = std::mem::take(&mut decoded.faces);
     if faces.greatest().is_some_and(|most| most as usize >= points) {
