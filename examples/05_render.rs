@@ -10,7 +10,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // Each point becomes a small disc in its tangent plane; together the discs hide the lines behind them.
     let (surfels, spacing) = surfels(&cloud)?;
-    let scene = Scene { surfels: &surfels, network: Some(&found.network), slices: &[], spacing };
+    let scene =
+        Scene { surfels: &surfels, network: Some(&found.network), slices: &[], verdicts: &[], spacing };
 
     // `View::Best` tries many directions and takes the one that shows most; `View::parse("top")` names one.
     let settings = Settings { view: View::Best, width: 640, height: 480, ..Settings::default() };

@@ -4,6 +4,7 @@ mod apply;
 mod classify;
 mod clean;
 mod completions;
+mod evaluate;
 mod extract;
 mod groups;
 mod info;
@@ -20,6 +21,7 @@ pub use apply::{Enrich, Graph, Mesh};
 pub use classify::Classify;
 pub use clean::Clean;
 pub use completions::Completions;
+pub use evaluate::Evaluate;
 pub use extract::Extract;
 pub use groups::{Reading, Running, Settings, Source, Tuning, Work};
 pub use info::Info;
@@ -40,6 +42,7 @@ Examples:
   lineament extract part.ply -o part.dxf -o part.json   several formats, by extension
   lineament report part.ply                             part.html: scan, lines and patches in a browser
   lineament render part.ply -o part.png                 a picture of scan and lines
+  lineament evaluate part.lines.json --truth part.dxf   figures against known lines
   lineament params > tuning.toml                        every parameter, with its meaning
 
 `lineament help COMMAND` begins with examples of the command.
@@ -100,6 +103,9 @@ pub enum Command {
     /// Cut a scan by planes and write a picture of each slice
     #[command(long_about = slices::ABOUT)]
     Slices(Slices),
+    /// Score lines against known ones, or compare two results
+    #[command(long_about = evaluate::ABOUT)]
+    Evaluate(Evaluate),
     /// Describe the content of a scan file
     #[command(long_about = info::ABOUT)]
     Info(Info),

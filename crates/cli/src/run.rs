@@ -5,6 +5,7 @@ mod classify;
 mod clean;
 mod completions;
 mod context;
+mod evaluate;
 mod extract;
 mod info;
 mod man;
@@ -35,6 +36,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Report(args) => report::run(&args),
         Command::Section(args) => section::run(&args),
         Command::Slices(args) => slices::run(&args),
+        Command::Evaluate(args) => evaluate::run(&args),
         Command::Info(args) => info::run(&args),
         Command::Params(args) => params::run(&args),
         Command::Completions(args) => completions::run(&args),

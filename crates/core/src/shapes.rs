@@ -36,7 +36,7 @@ pub use shape::Shape;
 pub use surface::{Axes, FaceSurface};
 pub use truth::{Fold, Truth, TruthCurve, TruthNode};
 
-pub(crate) use line_index::densify;
+pub(crate) use line_index::{Part, densify};
 pub(crate) use nearest::Tree;
 
 #[cfg(test)]

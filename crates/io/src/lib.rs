@@ -32,12 +32,13 @@ pub use format::{
 };
 pub use output::{Output, check_output};
 pub use read::{
-    LasFrame, LasRecord, LineFile, Missing, ReadOptions, Returns, Scan, read, read_all, read_from, read_lines,
+    LasFrame, LasRecord, LineFile, Missing, ReadOptions, Returns, Scan, read, read_all, read_from,
+    read_lines, read_marks,
 };
 pub use unit::Unit;
 pub use write::{
     GraphTable, NetworkContext, Parameter, PointTable, Report, SectionContext, StepProtocol, label_clutter,
     write_cleaned, write_graph, write_graph_to, write_mesh, write_mesh_to, write_network, write_network_to,
     write_patches, write_picture, write_picture_to, write_points, write_points_to, write_report,
-    write_report_to, write_sections, write_sections_to, write_slice_picture, write_stages,
+    write_report_to, write_sections, write_sections_to, write_slice_picture, write_stages, write_verdicts,
 };

@@ -8,6 +8,7 @@ mod join;
 pub(crate) mod las;
 mod limit;
 mod lines;
+mod marks;
 mod mesh;
 mod npy;
 mod npz;
@@ -181,6 +182,7 @@ impl Decoded {
 pub use join::read_all;
 pub use las::{LasFrame, Record as LasRecord};
 pub use lines::{LineFile, read_lines};
+pub use marks::read_marks;
 
 /// Reads the point cloud in the file at `path`; `-` is standard input.
 ///

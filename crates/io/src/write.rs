@@ -10,6 +10,7 @@ mod points;
 mod report;
 mod section;
 mod stages;
+mod verdicts;
 
 pub use encode::step::StepProtocol;
 pub use graph::{GraphTable, write_graph, write_graph_to};
@@ -21,3 +22,4 @@ pub use points::{PointTable, label_clutter, write_cleaned, write_points, write_p
 pub use report::{Report, write_report, write_report_to};
 pub use section::{SectionContext, write_sections, write_sections_to, write_slice_picture};
 pub use stages::write_stages;
+pub use verdicts::write_verdicts;

@@ -44,7 +44,10 @@ pub fn render<'py>(
     let network = network.as_ref().map(NetworkIn::network).transpose()?;
     let picture = on_rows(points, None, move |points, _| {
         let (surfels, spacing) = surfels(points)?;
-        Ok(draw(&Scene { surfels: &surfels, network: network.as_ref(), slices: &[], spacing }, &settings)?)
+        Ok(draw(
+            &Scene { surfels: &surfels, network: network.as_ref(), slices: &[], verdicts: &[], spacing },
+            &settings,
+        )?)
     })?;
     let Picture { width, height, rgb } = picture;
     rgb.into_pyarray(points.py()).reshape([height, width, 3])

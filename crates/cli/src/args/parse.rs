@@ -50,6 +50,12 @@ pub fn length(text: &str) -> Result<f64, String> {
     length.ok_or_else(|| "a number above 0 was expected".into())
 }
 
+/// An angle between faces, degrees.
+pub fn angle(text: &str) -> Result<f64, String> {
+    let angle = text.parse().ok().filter(|x: &f64| *x > 0.0 && *x < 180.0);
+    angle.ok_or_else(|| "a number of degrees above 0 and below 180 was expected".into())
+}
+
 /// The name of a neighbour graph.
 pub fn graph(name: &str) -> Result<GraphKind, String> {
     match name {

@@ -48,7 +48,7 @@ fn one(
     };
     let (surfels, spacing) = surfels(&input.cloud).map_err(|e| Failure::from(e).at(origin.shown()))?;
     let settings = &Settings { up: up(&args.up, &input), ..settings.clone() };
-    let scene = Scene { surfels: &surfels, network: network.as_ref(), slices: &[], spacing };
+    let scene = Scene { surfels: &surfels, network: network.as_ref(), slices: &[], verdicts: &[], spacing };
     // All else of the settings was checked before.
     let drawn = progress::named("draw", work.args.running.quiet, || render(&scene, settings));
     let picture = drawn.map_err(|e| Failure { advice: None, ..e.into() }.at(origin.shown()))?;

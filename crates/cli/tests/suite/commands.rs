@@ -193,8 +193,18 @@ fn help_lists_every_command_and_every_exit_code() {
 #[test]
 fn the_help_of_each_command_begins_with_examples_of_it() {
     let sandbox = Sandbox::new();
-    let commands =
-        ["extract", "classify", "patches", "render", "section", "slices", "info", "params", "completions"];
+    let commands = [
+        "extract",
+        "classify",
+        "patches",
+        "render",
+        "evaluate",
+        "section",
+        "slices",
+        "info",
+        "params",
+        "completions",
+    ];
     for command in commands {
         let text = sandbox.run(&[command, "--help"]).expect(0).text();
         let head = text.split("Usage:").next().unwrap();

@@ -7,6 +7,7 @@ mod commands;
 mod common;
 mod degenerate;
 mod detectors;
+mod evaluate;
 mod exit_codes;
 mod faults;
 mod map_coordinates;

@@ -11,6 +11,7 @@ mod caption;
 mod compose;
 mod depth_buffer;
 mod hidden;
+mod lines;
 mod picture;
 mod scene;
 mod slices;

@@ -2,7 +2,7 @@
 
 use crate::curve::pieces::{Piece, Shape};
 use crate::network::{Network, NodeKind, Strip, StripKind};
-use crate::shapes::Truth;
+use crate::shapes::{LineIndex, Part, Truth};
 
 /// Lines that are compared, with all that is known of them.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -161,6 +161,12 @@ impl Lines {
     /// The lines that count.
     pub(super) fn sharp(&self) -> impl Iterator<Item = &Line> + Clone {
         self.lines.iter().filter(|l| l.kind != LineKind::Weak && l.points.len() > 1)
+    }
+
+    /// An index of the lines that count, for the distances of points from them.
+    pub fn index(&self, step: f64) -> LineIndex {
+        let part = |line: &Line| Part { points: line.points.clone(), closed: line.closed };
+        LineIndex::of(self.sharp().map(part), step)
     }
 
     /// Least and greatest corner of the lines that count; `None` without any.

@@ -73,7 +73,7 @@ pub fn score(found: &Lines, known: &Lines, scoring: &Scoring) -> Score {
     let found_points = sides.found.iter().flat_map(|r| &r.points);
     let known_points = sides.known.iter().flat_map(|r| &r.points);
     let to_truth: Vec<f64> = found_points.filter_map(|&p| sides.to_truth(p)).collect();
-    let from_truth: Vec<f64> = known_points.map(|&p| sides.from_truth(p)).collect();
+    let from_truth: Vec<f64> = known_points.map(|&p| sides.away_from_found(p)).collect();
     let hits = |tolerance: f64| Hits::at(tolerance, &to_truth, &from_truth);
     let graphs =
         [graph_of(found, SAME_NODE * scoring.spacing), graph_of(known, SAME_KNOWN * diagonal(known))];
@@ -94,7 +94,7 @@ pub fn score(found: &Lines, known: &Lines, scoring: &Scoring) -> Score {
         types: Types::of(found, known, scoring.spacing),
         rounded: Rounded::of(found, known, scoring.spacing),
         chamfer: Chamfer::of(found, known),
-        wireframe: Wireframe::of(&graphs[0], &graphs[1], 2.0 * scoring.spacing),
+        wireframe: Wireframe::of(&graphs[0], &graph_of(known, node), 2.0 * scoring.spacing),
         topology: graphs.each_ref().map(Graph::topology),
     }
 }
@@ -110,14 +110,14 @@ fn diagonal(lines: &Lines) -> f64 {
 /// The share of the known lines of a kind within one spacing.
 fn recall(sides: &Sides, kind: LineKind) -> f64 {
     let rows = sides.known.iter().filter(|r| r.line.kind == kind);
-    let far: Vec<f64> = rows.flat_map(|r| &r.points).map(|&p| sides.from_truth(p)).collect();
+    let far: Vec<f64> = rows.flat_map(|r| &r.points).map(|&p| sides.away_from_found(p)).collect();
     if far.is_empty() { f64::NAN } else { share(&far, 1.0) }
 }
 
 fn curves_found(sides: &Sides) -> [usize; 2] {
     let long = sides.known.iter().filter(|r| r.length() >= SHORTEST * sides.scoring.spacing);
     let found = |row: &&Row| {
-        let near: Vec<f64> = row.points.iter().map(|&p| sides.from_truth(p)).collect();
+        let near: Vec<f64> = row.points.iter().map(|&p| sides.away_from_found(p)).collect();
         share(&near, 1.0) >= WHOLE
     };
     [long.clone().filter(found).count(), long.count()]

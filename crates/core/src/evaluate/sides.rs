@@ -87,7 +87,7 @@ impl<'a> Sides<'a> {
     }
 
     /// Spacings from a known point to the found lines.
-    pub fn from_truth(&self, p: [f64; 3]) -> f64 {
+    pub fn away_from_found(&self, p: [f64; 3]) -> f64 {
         self.away(&self.found_tree, p)
     }
 }

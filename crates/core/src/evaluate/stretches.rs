@@ -51,7 +51,7 @@ pub fn stretches(found: &Lines, known: &Lines, scoring: &Scoring, tolerance: f64
         all.extend(runs(row, number, far, Verdict::False));
     }
     for (number, row) in sides.known.iter().enumerate() {
-        let far = |p| sides.from_truth(p) > tolerance;
+        let far = |p| sides.away_from_found(p) > tolerance;
         // What is right is shown where it was found.
         all.extend(runs(row, number, far, Verdict::Missed).filter(|s| s.verdict == Verdict::Missed));
     }

@@ -1,6 +1,7 @@
 //! Whether curves have the right type, and circles the right radius.
 //!
-//! Of the known curves of at least six spacings that part counts which lies within one spacing of a found curve.
+//! Of the known curves of at least six spacings that part counts which lies within one spacing of a found curve. Where several found
+//! curves are nearest, as they meet there, it is enough that one of them has the type.
 
 use super::figures::quantile;
 use super::lines::{Lines, TypedCurve};
@@ -9,6 +10,9 @@ use crate::shapes::{Tree, densify};
 
 /// Length from which on a known curve counts, spacings.
 const SHORTEST: f64 = 6.0;
+/// Found curves that end in one place and are told apart there, and how much farther than the nearest one they may be, spacings.
+const MOST_TIED: usize = 8;
+const TIED: f64 = 1e-6;
 /// Pieces of a spacing that curves are cut into.
 const PIECES: f64 = 4.0;
 
@@ -41,11 +45,14 @@ impl Types {
         let (mut lengths, mut errors) = ([[0; 4]; 4], Vec::new());
         for curve in asked {
             for p in densify(&curve.points, false, step) {
-                let Some((at, d2)) = tree.nearest(p) else { continue };
-                if d2.sqrt() > spacing {
+                let near = tree.k_nearest(p, MOST_TIED);
+                let Some(least) = near.first().map(|n| n.0.sqrt()).filter(|&d| d <= spacing) else {
                     continue;
-                }
-                let met = owner[at as usize];
+                };
+                let tied = near.iter().take_while(|n| n.0.sqrt() <= least + TIED * spacing);
+                let mut tied = tied.map(|n| owner[n.1 as usize]);
+                let first = tied.clone().next().unwrap_or(owner[0]);
+                let met = tied.find(|met| met.kind == curve.kind).unwrap_or(first);
                 lengths[curve.kind as usize][met.kind as usize] += 1;
                 let radii = curve.radius.zip(met.radius).filter(|_| curve.kind == met.kind);
                 errors.extend(radii.map(|(known, found)| (found - known).abs() / known));

@@ -29,7 +29,7 @@ impl LineIndex {
         self.step
     }
 
-    fn of(lines: impl Iterator<Item = Part>, step: f64) -> Self {
+    pub(crate) fn of(lines: impl Iterator<Item = Part>, step: f64) -> Self {
         let (mut points, mut beside) = (Vec::new(), Vec::new());
         for Part { points: line, closed } in lines {
             let mut line = densify(&line, closed, step);

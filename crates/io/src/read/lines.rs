@@ -12,6 +12,7 @@ use crate::error::{Error, printable};
 use crate::format::Format;
 use crate::source::Source;
 use lineament::evaluate::{CurveKind, Line, LineKind, Lines, TypedCurve};
+use lineament::math::vec3::distance;
 use std::path::Path;
 
 /// Lines as a file holds them.
@@ -52,9 +53,19 @@ impl LineFile {
     }
 }
 
+/// Shares of its length up to which the ends of a line are one place, that differ by rounding alone.
+const SAME: f64 = 1e-9;
+
+/// Whether a row of points ends where it begins.
+fn ends_in_its_first(points: &[[f64; 3]]) -> bool {
+    let length: f64 = points.windows(2).map(|w| distance(w[0], w[1])).sum();
+    let ends = points.first().zip(points.last()).filter(|_| points.len() > 1);
+    ends.is_some_and(|(&a, &b)| distance(a, b) <= SAME * length)
+}
+
 /// A line that is closed where it ends in its first point.
 fn closed_by_its_end(kind: LineKind, mut points: Vec<[f64; 3]>) -> Line {
-    let closed = points.len() > 3 && points.first() == points.last();
+    let closed = points.len() > 3 && ends_in_its_first(&points);
     if closed {
         points.pop();
     }
@@ -122,7 +133,7 @@ fn finite(found: &LineFile, name: &str) -> Result<(), Error> {
 }
 
 /// All bytes of an input.
-fn all(source: &mut Source) -> Result<Vec<u8>, Error> {
+pub(super) fn all(source: &mut Source) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     loop {
         let here = source.peek(1)?;

@@ -7,4 +7,5 @@ pub(super) mod ply;
 pub(super) mod polyline;
 pub(super) mod sqlite;
 pub(super) mod step;
+pub(super) mod view;
 pub(super) mod zip;

@@ -2,7 +2,8 @@
 
 use super::picture::{Colour, Picture};
 use super::scene::Scene;
-use super::style::{SLICE_COLOUR, node_colour, strip_colour};
+use super::style::{SLICE_COLOUR, node_colour, strip_colour, verdict_colour};
+use crate::evaluate::Verdict;
 use crate::network::{Network, NodeKind, StripKind};
 
 const TEXT: Colour = [0.25, 0.27, 0.30];
@@ -25,7 +26,11 @@ pub(super) fn draw(scene: &Scene, picture: &mut Picture) {
 
 /// The texts, each with the colour before it.
 fn entries(scene: &Scene) -> Vec<(String, Option<Colour>)> {
-    let mut entries = vec![(counted(scene.surfels.len(), "point"), None)];
+    let points = scene.surfels.len();
+    let mut entries = Vec::new();
+    if points > 0 || scene.verdicts.is_empty() {
+        entries.push((counted(points, "point"), None));
+    }
     if let Some(network) = scene.network {
         for kind in [StripKind::Crease, StripKind::Border] {
             let count = network.strips.iter().filter(|s| s.kind == kind).count();
@@ -36,6 +41,12 @@ fn entries(scene: &Scene) -> Vec<(String, Option<Colour>)> {
     let planes = scene.slices.chunk_by(|a, b| a.plane == b.plane).count();
     if planes > 0 {
         entries.push((counted(planes, "slice"), Some(SLICE_COLOUR)));
+    }
+    if !scene.verdicts.is_empty() {
+        entries.extend(Verdict::ALL.map(|verdict| {
+            let count = scene.verdicts.iter().filter(|s| s.verdict == verdict).count();
+            (format!("{count} {}", verdict.name()), Some(verdict_colour(verdict)))
+        }));
     }
     entries
 }
@@ -95,9 +106,13 @@ fn glyph(letter: char) -> [u8; 9] {
         'c' => [0, 0, 0b01110, 0b10000, 0b10000, 0b10001, 0b01110, 0, 0],
         'd' => [0b00001, 0b00001, 0b01111, 0b10001, 0b10001, 0b10001, 0b01111, 0, 0],
         'e' => [0, 0, 0b01110, 0b10001, 0b11111, 0b10000, 0b01110, 0, 0],
+        'f' => [0b00110, 0b01001, 0b01000, 0b11100, 0b01000, 0b01000, 0b01000, 0, 0],
+        'g' => [0, 0, 0b01111, 0b10001, 0b10001, 0b10001, 0b01111, 0b00001, 0b01110],
+        'h' => [0b10000, 0b10000, 0b10110, 0b11001, 0b10001, 0b10001, 0b10001, 0, 0],
         'i' => [0b00100, 0, 0b01100, 0b00100, 0b00100, 0b00100, 0b01110, 0, 0],
         'j' => [0b00010, 0, 0b00110, 0b00010, 0b00010, 0b00010, 0b00010, 0b10010, 0b01100],
         'l' => [0b01100, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100, 0b01110, 0, 0],
+        'm' => [0, 0, 0b11010, 0b10101, 0b10101, 0b10101, 0b10101, 0, 0],
         'n' => [0, 0, 0b11110, 0b10001, 0b10001, 0b10001, 0b10001, 0, 0],
         'o' => [0, 0, 0b01110, 0b10001, 0b10001, 0b10001, 0b01110, 0, 0],
         'p' => [0, 0, 0b11110, 0b10001, 0b10001, 0b10001, 0b11110, 0b10000, 0b10000],
@@ -125,6 +140,9 @@ mod tests {
             "ends",
             "apices",
             "slices",
+            "right",
+            "missed",
+            "false",
             "0123456789",
         ];
         for letter in words.concat().chars() {

@@ -2,21 +2,20 @@
 
 use super::camera::{Camera, View};
 use super::depth_buffer::DepthBuffer;
-use super::hidden::{is_visible, stretches};
+use super::hidden::is_visible;
+use super::lines::{self, HIDDEN_OPACITY};
 use super::picture::{Picture, WHITE};
 use super::scene::{Scene, Settings};
 use super::slices::{self, Page};
 use super::stroke::Mask;
-use super::style::{LINE_BIAS, node_colour, strip_colour};
+use super::style::{LINE_BIAS, node_colour};
 use super::{best, caption, tone};
 use crate::error::Error;
-use crate::network::{Network, NodeKind, StripKind};
+use crate::network::{Network, NodeKind};
 use crate::parallel;
 
 /// Pixels of the surface for each pixel of the picture, in either direction; their average gives smooth outlines.
 const FINE: usize = 2;
-/// Opacity of lines behind the surface.
-const HIDDEN_OPACITY: f32 = 0.45;
 
 /// Draws a scene. The picture depends on the scene and the settings only, not on the number of threads.
 ///
@@ -36,8 +35,11 @@ pub fn render(scene: &Scene, settings: &Settings) -> Result<Picture, Error> {
     let page = Page { camera: &camera, surface: &surface, fine: FINE, bias: bias(spacing) };
     slices::draw(scene.slices, &page, pen, &mut picture);
     if let Some(network) = scene.network {
-        draw_strips(network, &camera, &surface, spacing, pen, &mut picture);
+        lines::draw(&lines::strips(network), &page, pen, &mut picture);
         draw_nodes(network, &camera, &surface, spacing, pen, &mut picture);
+    }
+    if !scene.verdicts.is_empty() {
+        lines::draw(&lines::verdicts(scene.verdicts), &page, pen, &mut picture);
     }
     if settings.caption {
         caption::draw(scene, &mut picture);
@@ -54,6 +56,7 @@ fn aim(scene: &Scene, settings: &Settings) -> Camera {
     let [width, height] = [settings.width, settings.height].map(|side| (side * FINE) as f64);
     let strips = scene.network.into_iter().flat_map(|n| n.strips.iter().flat_map(|s| s.points.iter()));
     let lines = strips.chain(scene.slices.iter().flat_map(|slice| slice.points));
+    let lines = lines.chain(scene.verdicts.iter().flat_map(|stretch| &stretch.points));
     let all = scene.surfels.iter().map(|s| s.position).chain(lines.copied());
     let finite = all.filter(|p| p.iter().all(|x| x.is_finite()));
     Camera::looking(from, settings.up).fitted(finite, width, height, 0.05 * width.min(height))
@@ -62,40 +65,6 @@ fn aim(scene: &Scene, settings: &Settings) -> Camera {
 /// Greatest depth behind the surface at which a line still counts as visible, pixels of the fine grid.
 fn bias(spacing: f32) -> f32 {
     LINE_BIAS as f32 * spacing + 2.0
-}
-
-fn draw_strips(
-    network: &Network,
-    camera: &Camera,
-    surface: &DepthBuffer,
-    spacing: f32,
-    pen: f32,
-    picture: &mut Picture,
-) {
-    let mask = || Mask::new(picture.width, picture.height);
-    let mut halo = mask();
-    let mut layers = [StripKind::Border, StripKind::Crease].map(|kind| (kind, mask(), mask()));
-    let bias = bias(spacing);
-    for strip in &network.strips {
-        let line = camera.line(&strip.points, strip.closed);
-        for stretch in stretches(&line, surface, bias) {
-            let points: Vec<[f32; 2]> = stretch.points.iter().map(|p| p.map(|x| x / FINE as f32)).collect();
-            let Some((_, hidden, visible)) = layers.iter_mut().find(|l| l.0 == strip.kind) else { continue };
-            if stretch.visible {
-                halo.polyline(&points, 2.0 * pen);
-                visible.polyline(&points, pen);
-            } else {
-                hidden.dashes(&points, 0.7 * pen, 3.0 * pen, 1.5 * pen);
-            }
-        }
-    }
-    for (kind, hidden, _) in &layers {
-        hidden.paint(picture, strip_colour(*kind), HIDDEN_OPACITY);
-    }
-    halo.paint(picture, WHITE, 0.75);
-    for (kind, _, visible) in &layers {
-        visible.paint(picture, strip_colour(*kind), 1.0);
-    }
 }
 
 fn draw_nodes(

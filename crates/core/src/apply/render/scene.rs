@@ -3,6 +3,7 @@
 use super::camera::View;
 use super::surfel::Surfel;
 use crate::error::Error;
+use crate::evaluate::Stretch;
 use crate::math::vec3::norm;
 use crate::network::Network;
 
@@ -18,6 +19,8 @@ pub struct Scene<'a> {
     pub network: Option<&'a Network>,
     /// The outlines of its sections to draw over them, world frame, if any.
     pub slices: &'a [Slice<'a>],
+    /// What was found rightly, missed, or found falsely, to draw over them, world frame, if lines were evaluated.
+    pub verdicts: &'a [Stretch],
     /// Mean distance of neighbouring points, in the unit of the points. Lines up to 2.5 spacings below the surface
     /// still count as visible.
     pub spacing: f64,
@@ -71,7 +74,8 @@ impl Scene<'_> {
             let strips = network.strips.iter().flat_map(|strip| &strip.points);
             strips.chain(network.nodes.iter().map(|node| &node.position))
         });
-        let mut points = lines.chain(self.slices.iter().flat_map(|slice| slice.points));
+        let lines = lines.chain(self.slices.iter().flat_map(|slice| slice.points));
+        let mut points = lines.chain(self.verdicts.iter().flat_map(|stretch| &stretch.points));
         match points.find(far) {
             Some(point) if !self.surfels.is_empty() => Err(Error::Parameter {
                 key: "network".into(),

@@ -58,7 +58,9 @@ mod tests {
             (low.min(s.position[2]), high.max(s.position[2]))
         });
         let drawn = |slices: &[Slice]| {
-            render(&Scene { surfels: &surfels, network: None, slices, spacing }, &settings).unwrap().rgb
+            render(&Scene { surfels: &surfels, network: None, slices, verdicts: &[], spacing }, &settings)
+                .unwrap()
+                .rgb
         };
         let bare = drawn(&[]);
         let green = |z: f64| {

@@ -1,6 +1,7 @@
 //! Colours of lines and nodes, and the tolerance for visible lines.
 
 use super::picture::Colour;
+use crate::evaluate::Verdict;
 use crate::network::{NodeKind, StripKind};
 
 /// Greatest depth of a visible line behind the surface, spacings.
@@ -24,5 +25,14 @@ pub(super) fn node_colour(kind: NodeKind) -> Colour {
         NodeKind::Corner => [0.00, 0.56, 0.42],
         NodeKind::End => [0.82, 0.32, 0.62],
         NodeKind::Apex => [0.90, 0.62, 0.00],
+    }
+}
+
+/// The colour of a verdict on a line.
+pub(super) fn verdict_colour(verdict: Verdict) -> Colour {
+    match verdict {
+        Verdict::Right => [0.30, 0.32, 0.35],
+        Verdict::Missed => [0.84, 0.30, 0.00],
+        Verdict::False => [0.00, 0.40, 0.80],
     }
 }

@@ -66,6 +66,19 @@ fn types_count_by_the_length_that_was_met() {
 }
 
 #[test]
+fn where_curves_meet_the_one_of_the_right_type_is_met() {
+    let curve = |kind, from: f64| {
+        let points = vec![[from, 0.0, 0.0], [from + 1.0, 0.0, 0.0]];
+        TypedCurve { kind, radius: None, points }
+    };
+    let lines = Lines {
+        curves: vec![curve(CurveKind::Spline, 0.0), curve(CurveKind::Line, 1.0)],
+        ..Lines::default()
+    };
+    assert_eq!(Types::of(&lines, &lines, 0.1).unwrap().right, 1.0);
+}
+
+#[test]
 fn radii_are_judged_on_circles_of_the_right_type() {
     let arc = |radius: f64| {
         let at = |i: u32| [f64::from(i) * 0.1, 0.0, 0.0];

@@ -11,7 +11,7 @@ use entity::Entity;
 use std::collections::BTreeMap;
 
 /// Entities that hold no line by their nature.
-const SILENT: [&[u8]; 3] = [b"POINT", b"TEXT", b"MTEXT"];
+const SILENT: [&[u8]; 4] = [b"POINT", b"TEXT", b"MTEXT", b"SEQEND"];
 
 /// Whether a text begins as DXF does: with a section, or with a comment.
 pub(super) fn begins(text: &[u8]) -> bool {

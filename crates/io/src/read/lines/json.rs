@@ -71,7 +71,7 @@ fn add(item: &Value, lines: &mut Lines) -> Result<(), String> {
     let bare = item.is_array();
     let mut row = points(if bare { item } else { &item["points"] }).map_err(|e| format!(".{e}"))?;
     let closed = item["closed"].as_bool().unwrap_or(false);
-    if closed && row.len() > 1 && row.first() == row.last() {
+    if closed && super::ends_in_its_first(&row) {
         row.pop();
     }
     if row.len() < 2 {

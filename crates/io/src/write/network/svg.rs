@@ -2,15 +2,14 @@
 
 use super::context::NetworkContext;
 use crate::write::encode::polyline::Polylines;
-use lineament::math::vec3::{cross, dot, sub, unit};
+use crate::write::encode::view::{best_view, frame};
+use lineament::math::vec3::{dot, sub};
 use lineament::{Network, StripKind};
 use std::io::{self, Write};
 
 /// The longest side of a drawing whose scale is not given, and its margin, in millimetres.
 const SIDE: f64 = 200.0;
 const MARGIN: f64 = 5.0;
-/// A network whose thinnest extent is below this share of its next is drawn from that side.
-const FLAT: f64 = 0.1;
 
 /// Writes a path for each strip, in groups by kind, and a dot for each node.
 pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkContext) -> io::Result<()> {
@@ -56,27 +55,4 @@ pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkCon
         writeln!(out, "<circle id=\"node-{node}\" cx=\"{x:.4}\" cy=\"{y:.4}\" r=\"0.6\"/>")?;
     }
     writeln!(out, "</g>\n</svg>")
-}
-
-/// The directions to the right and up in a view along `direction`; z is up, or y where z is looked along.
-fn frame(direction: [f64; 3]) -> [[f64; 3]; 2] {
-    let along = unit(direction);
-    let steep = along[2].abs() > 0.999;
-    let right = unit(cross(along, if steep { [0.0, 1.0, 0.0] } else { [0.0, 0.0, 1.0] }));
-    [right, cross(right, along)]
-}
-
-/// Across the thinnest side of a flat network, otherwise from a corner of its box, so that no two sides coincide.
-fn best_view(vertices: &[[f64; 3]]) -> [f64; 3] {
-    let limit =
-        |a: usize, pick: fn(f64, f64) -> f64| vertices.iter().map(|v| v[a]).reduce(pick).unwrap_or(0.0);
-    let extent = [0, 1, 2].map(|a| limit(a, f64::max) - limit(a, f64::min));
-    let mut order = [2, 1, 0];
-    order.sort_by(|&a, &b| extent[a].total_cmp(&extent[b]));
-    if extent[order[0]] < FLAT * extent[order[1]] {
-        let mut view = [0.0; 3];
-        view[order[0]] = if order[0] == 1 { 1.0 } else { -1.0 };
-        return view;
-    }
-    [-1.0, 0.8, -0.7]
 }

@@ -14,8 +14,13 @@ pub(super) fn draw(report: &Report, chosen: &Chosen) -> io::Result<Vec<u8>> {
     let contours = report.sections.iter().flat_map(|(sections, _)| sections.contours());
     let slices: Vec<Slice> =
         contours.map(|(plane, c)| Slice { plane, points: &c.points, closed: c.closed }).collect();
-    let scene =
-        Scene { surfels: &chosen.surfels, network: report.network, slices: &slices, spacing: chosen.spacing };
+    let scene = Scene {
+        surfels: &chosen.surfels,
+        network: report.network,
+        slices: &slices,
+        verdicts: &[],
+        spacing: chosen.spacing,
+    };
     let picture = render(&scene, &settings).map_err(io::Error::other)?;
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, WIDTH as u32, HEIGHT as u32);

@@ -21,13 +21,16 @@ pub(super) enum Value {
     None,
 }
 
+/// A name with its parameters.
+pub(super) type Record = (Vec<u8>, Vec<Value>);
+
 /// An instance: the records that it consists of, one unless it is complex.
 #[derive(Clone, Debug)]
 pub(super) struct Instance {
     /// The byte at which it begins.
     pub at: usize,
     /// Name and parameters of each.
-    pub records: Vec<(Vec<u8>, Vec<Value>)>,
+    pub records: Vec<Record>,
 }
 
 /// The byte of a fault, and what was found there.
@@ -133,7 +136,7 @@ impl Text<'_> {
     }
 
     /// A name with its parameters.
-    fn record(&mut self) -> Result<(Vec<u8>, Vec<Value>), Fault> {
+    fn record(&mut self) -> Result<Record, Fault> {
         self.blank();
         let name = self.word().to_ascii_uppercase();
         if name.is_empty() {
@@ -142,7 +145,7 @@ impl Text<'_> {
         Ok((name, self.list(0)?))
     }
 
-    fn complex(&mut self) -> Result<Vec<(Vec<u8>, Vec<Value>)>, Fault> {
+    fn complex(&mut self) -> Result<Vec<Record>, Fault> {
         self.expect(b'(')?;
         let mut records = Vec::new();
         while !self.next_is(b')') {

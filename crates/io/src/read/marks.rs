@@ -1,0 +1,74 @@
+//! A number for each point: marks and labels, as an array (NPY), as bytes, or as the last column of a text.
+
+use super::npy;
+use crate::columns::get;
+use crate::error::Error;
+use crate::number::{parse, shown, tokens};
+use crate::source::Source;
+use std::path::Path;
+
+/// Extension of files with a byte for each point.
+const BYTES: [&str; 2] = ["u8", "bin"];
+
+/// Reads `(N)` numbers: an NPY array of one column, a file `.u8` or `.bin` of bytes, or text with a row for each point, of which the
+/// last number counts.
+///
+/// # Errors
+/// An input that cannot be opened, is empty, or breaks its format's rules.
+pub fn read_marks(path: &Path) -> Result<Vec<f64>, Error> {
+    let name = path.display().to_string();
+    let fail = |source| Error::Io { action: "open", name: name.clone(), source };
+    let file = std::fs::File::open(path).map_err(fail)?;
+    let meta = file.metadata().map_err(fail)?;
+    if meta.is_dir() {
+        return Err(fail(std::io::Error::from(std::io::ErrorKind::IsADirectory)));
+    }
+    let length = Some(meta.len()).filter(|&length| meta.is_file() && length > 0);
+    let mut source = Source::new(Box::new(file), name.clone(), length, false).at(path);
+    let start = source.peek(npy::MAGIC.len())?;
+    if start.is_empty() {
+        return Err(Error::Empty { name });
+    }
+    if start.starts_with(npy::MAGIC) {
+        return array(&mut source);
+    }
+    if path.extension().is_some_and(|e| BYTES.iter().any(|known| e.eq_ignore_ascii_case(known))) {
+        return Ok(super::lines::all(&mut source)?.into_iter().map(f64::from).collect());
+    }
+    text(&mut source)
+}
+
+fn array(source: &mut Source) -> Result<Vec<f64>, Error> {
+    let header = npy::parse(&npy::text(source)?)
+        .and_then(|header| match header.fields.len() {
+            1 => Ok(header),
+            columns => Err(format!("an array of {columns} columns")),
+        })
+        .map_err(|found| source.malformed(found, "expected an array of shape (N,)"))?;
+    let needed = header.rows.saturating_mul(header.stride as u64);
+    let there = source.remaining().unwrap_or(u64::MAX);
+    let short =
+        |source: &Source, there: u64| source.ends_early("rows", header.rows, there / header.stride as u64);
+    if there < needed {
+        return Err(short(source, there));
+    }
+    let columns = npy::arrays(source, &header)?.ok_or_else(|| short(source, 0))?;
+    let values = |column: &lineament::Column| (0..column.len()).map(|i| get(column, i)).collect();
+    Ok(columns.first().map_or_else(Vec::new, values))
+}
+
+fn text(source: &mut Source) -> Result<Vec<f64>, Error> {
+    source.detect_terminator()?;
+    let mut values = Vec::new();
+    while let Some(line) = source.line()? {
+        let line = line.to_vec();
+        let Some(word) = tokens(&line).last().filter(|_| !line.trim_ascii_start().starts_with(b"#")) else {
+            continue;
+        };
+        match parse(word) {
+            Some(value) => values.push(value),
+            None => return Err(source.malformed_line(shown(word), "expected a number")),
+        }
+    }
+    Ok(values)
+}
