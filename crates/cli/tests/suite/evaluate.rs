@@ -42,7 +42,7 @@ fn two_runs_are_told_apart_by_their_lines_and_parameters() {
     sandbox.write("fewer.json", fewer.to_string());
     let args = ["evaluate", "fewer.json", "--truth", "box.json", "-o", "s.json"];
     let table = sandbox.run(&args).expect(0).text();
-    assert!(table.contains("penalty.fold_deg: 24, in the truth "), "{table}");
+    assert!(table.contains("penalty.fold_deg: 24.0, in the truth "), "{table}");
     assert!(table.contains("whole curves found             11 of 12"), "{table}");
     let score = json(&sandbox.path("s.json"));
     let missed = score["missed"].as_array().unwrap();

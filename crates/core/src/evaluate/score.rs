@@ -75,8 +75,8 @@ pub fn score(found: &Lines, known: &Lines, scoring: &Scoring) -> Score {
     let to_truth: Vec<f64> = found_points.filter_map(|&p| sides.to_truth(p)).collect();
     let from_truth: Vec<f64> = known_points.map(|&p| sides.away_from_found(p)).collect();
     let hits = |tolerance: f64| Hits::at(tolerance, &to_truth, &from_truth);
-    let graphs =
-        [graph_of(found, SAME_NODE * scoring.spacing), graph_of(known, SAME_KNOWN * diagonal(known))];
+    let node = SAME_NODE * scoring.spacing;
+    let graphs = [graph_of(found, node), graph_of(known, SAME_KNOWN * diagonal(known))];
     let closed = |lines: &Lines| lines.sharp().filter(|l| l.closed).count();
     let length = |rows: &[Row]| rows.iter().map(Row::length).sum::<f64>() / scoring.spacing;
     Score {

@@ -2,12 +2,14 @@
 //! what is passed over is counted by its type. Layers whose name holds `border` are borders.
 
 mod entity;
+mod group;
 
 use super::LineFile;
 use crate::error::{Error, Place};
-use crate::number::{parse, shown};
+use crate::number::shown;
 use crate::source::Source;
 use entity::Entity;
+use group::Group;
 use std::collections::BTreeMap;
 
 /// Entities that hold no line by their nature.
@@ -21,13 +23,6 @@ pub(super) fn begins(text: &[u8]) -> bool {
         Some(b"999") => true,
         _ => false,
     }
-}
-
-/// A group: its code, its value, and the line that the value stands in.
-pub(super) struct Group {
-    pub code: i32,
-    pub value: Vec<u8>,
-    pub line: u64,
 }
 
 /// Reads the entities.
@@ -76,7 +71,7 @@ fn finish(
 ) -> Result<Option<Entity>, (u64, String)> {
     if entity.is_polyline() && [b"VERTEX" as &[u8], b"SEQEND"].contains(&next.value.as_slice()) {
         if next.value == b"VERTEX" {
-            entity.begin_vertex(next.line);
+            entity.begin_vertex();
             return Ok(Some(entity));
         }
         entity.end_vertices();
@@ -123,10 +118,4 @@ impl Groups<'_> {
     fn fault(&self, (line, found): (u64, String)) -> Error {
         self.source.fault(Place::Line(line), found, "expected a drawing in DXF as text")
     }
-}
-
-/// The number of a group.
-fn number(group: &Group) -> Result<f64, (u64, String)> {
-    let value = parse(&group.value).filter(|x| x.is_finite());
-    value.ok_or_else(|| (group.line, format!("group {} is {}", group.code, shown(&group.value))))
 }

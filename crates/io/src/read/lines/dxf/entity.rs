@@ -1,14 +1,12 @@
 //! Entities as curves.
 
 use super::super::sample::{Spline, ellipse, object_axes};
-use super::{Group, number};
+use super::group::{Fault, Group, number};
 use lineament::evaluate::CurveKind;
 use lineament::math::vec3::{add, add_scaled, cross, norm, scale, sub, unit};
 
 /// Points of a curve, and its type with the radius of a circle.
 type Curve = (Vec<[f64; 3]>, Option<(CurveKind, Option<f64>)>);
-/// The line of a fault, and what was found there.
-type Fault = (u64, String);
 
 /// An entity with its groups in order; a POLYLINE with those of its vertices.
 pub(super) struct Entity {
@@ -36,7 +34,7 @@ impl Entity {
         self.name() == b"POLYLINE"
     }
 
-    pub fn begin_vertex(&mut self, _line: u64) {
+    pub fn begin_vertex(&mut self) {
         self.vertices.push(Vec::new());
         self.in_vertices = true;
     }
