@@ -8,6 +8,7 @@ mod context;
 mod evaluate;
 mod extract;
 mod info;
+mod listing;
 mod man;
 mod page;
 mod params;

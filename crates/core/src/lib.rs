@@ -85,6 +85,7 @@ mod error;
 pub mod evaluate;
 mod extract;
 mod frame;
+pub mod inspect;
 mod link;
 pub mod math;
 mod measure;

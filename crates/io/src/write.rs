@@ -2,6 +2,7 @@
 
 mod encode;
 mod graph;
+mod list;
 mod mesh;
 mod network;
 mod patches;
@@ -14,6 +15,7 @@ mod verdicts;
 
 pub use encode::step::StepProtocol;
 pub use graph::{GraphTable, write_graph, write_graph_to};
+pub use list::{ListFormat, list_format, write_list};
 pub use mesh::{write_mesh, write_mesh_to};
 pub use network::{NetworkContext, Parameter, write_network, write_network_to};
 pub use patches::write_patches;

@@ -25,6 +25,7 @@ fn help() -> String {
 const EXAMPLES: &str = "\
 More examples:
   lineament extract part.ply -o lines/part.dxf --method penalty
+  lineament extract part.ply -o part.dxf --report holes.csv
   lineament extract part.ply --params tuning.toml --set penalty.fold_deg=15
   lineament extract scans/*.ply -o lines/ -o 'cad/{stem}.dxf'
   zcat scan.xyz.gz | lineament extract - -o - > lines.json";
@@ -38,6 +39,10 @@ pub struct Extract {
     /// [default: NAME.lines.json and NAME.lines.obj beside the input]
     #[arg(short, long, value_name = "OUT", value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
+    /// List of the holes, bosses, other circles, arcs and straight edges with their tolerances: .txt for people, .csv, or `-`, text on
+    /// standard output; `{stem}` as in -o
+    #[arg(long, value_name = "LIST", value_hint = ValueHint::FilePath)]
+    pub report: Option<PathBuf>,
     /// Leave out lines shorter than this, in the unit of the input
     #[arg(long, help_heading = "Choosing lines", value_name = "LENGTH", value_parser = parse::length)]
     pub min_length: Option<f64>,

@@ -8,7 +8,7 @@ use lineament::{Cloud, Extraction};
 use lineament_io::{NetworkContext, NetworkFormat, ReadOptions, network_format, write_network};
 
 use super::context::context;
-use super::{page, stages};
+use super::{listing, page, stages};
 use crate::args::Extract;
 use crate::batch::Done;
 use crate::failure::{Code, Failure};
@@ -27,6 +27,7 @@ pub fn run(args: &Extract) -> Result<(), Failure> {
     let view = view(&args.view)?;
     let work = work::prepare(&args.work, &args.output, &SUFFIXES, network_format)?;
     stages::check(&work, args.stages.as_deref())?;
+    listing::check(&work, args.report.as_deref())?;
     work.each(|origin, outputs| one(&work, args, origin, outputs, view))
 }
 
@@ -51,6 +52,8 @@ fn one(
     let mut found = work.extract(origin, &input)?;
     let mut lines = summary::of(&input, &found, work.args.running.verbose);
     lines.extend(choose(args, &input.cloud, &mut found));
+    let list = listing::of(&input.cloud, &found, args.report.is_some());
+    lines.extend(list.iter().flat_map(listing::told));
     let context = NetworkContext {
         view,
         millimetres: args.millimetres,
@@ -67,12 +70,14 @@ fn one(
             false => write_network(path, &inputs, &found.network, &context),
         })?;
     }
+    let listed = listing::write(args.report.as_deref(), outputs, &inputs, origin, list.as_ref())?;
     let staged = stages::write(work, args.stages.as_deref(), origin, &input.cloud, &found)?;
     let [wrote, total] = [writing, start].map(|t| t.elapsed().as_secs_f64());
     lines.extend(summary::unplaced(&input, outputs));
     lines.extend(summary::unmeasured(&context, outputs));
     lines.push(summary::times(&input, &found.report, wrote, total));
-    lines.push(summary::written(&[outputs, &staged].concat()));
+    let also: Vec<PathBuf> = listed.into_iter().chain(staged).collect();
+    lines.push(summary::written(&[outputs, &also].concat()));
     Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), total) })
 }
 

@@ -10,6 +10,7 @@ mod detectors;
 mod evaluate;
 mod exit_codes;
 mod faults;
+mod listing;
 mod map_coordinates;
 mod reading;
 mod report;

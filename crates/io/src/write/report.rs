@@ -9,7 +9,6 @@ mod page;
 mod patches;
 mod picture;
 mod points;
-mod rims;
 mod slices;
 #[cfg(test)]
 mod tests;

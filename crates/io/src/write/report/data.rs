@@ -1,9 +1,10 @@
 //! The data of a report but for its points, in the schema `lineament-report/1`.
 
-use super::{Report, lines, patches, rims, slices};
+use super::{Report, lines, patches, slices};
 use crate::write::encode::json::{Head, Number, Point, Text, Value, list};
 use crate::write::network::context::Parameter;
 use lineament::Class;
+use lineament::inspect::rims;
 use std::io::{self, Write};
 
 /// The members of the object up to the points, which `points::write` appends together with the closing brace.
@@ -31,7 +32,7 @@ pub(super) fn lines(report: &Report) -> io::Result<Vec<u8>> {
     }
     writeln!(out, "\"up\": {},", Point(&report.up))?;
     if let Some(network) = report.network {
-        lines::write(out, network, context, &rims::rims(&network.strips, &surface(report), spacing(report)))?;
+        lines::write(out, network, context, &rims(&network.strips, &surface(report), spacing(report)))?;
     }
     if let Some(found) = &context.patches {
         patches::write(out, found)?;

@@ -1,11 +1,11 @@
 //! Nodes and strips of a report.
 
-use super::rims::Rim;
 use crate::write::encode::json::{Index, Number, Point, lines, list};
 use crate::write::network::context::{NetworkContext, fold_deg};
 use base64::prelude::{BASE64_STANDARD, Engine};
 use lineament::curve::Round;
 use lineament::curve::pieces::{Piece, Shape, Sigma};
+use lineament::inspect::RimSide;
 use lineament::patch::Sides;
 use lineament::{Network, Node, Strip};
 use std::io::{self, Write};
@@ -18,7 +18,7 @@ pub(super) fn write(
     out: &mut dyn Write,
     network: &Network,
     context: &NetworkContext,
-    rims: &[Option<Rim>],
+    rims: &[Option<RimSide>],
 ) -> io::Result<()> {
     let step = step(network.strips.iter().map(|s| s.points.len()).sum(), MOST);
     write!(out, "\"nodes\": [")?;
@@ -31,7 +31,7 @@ pub(super) fn write(
     write!(out, "\"strips\": [")?;
     lines(out, &network.strips, |out, id, s| {
         strip(out, s, context.sides(id), thinned(&s.points, step).count())?;
-        if let Some(rim) = rims[id] {
+        if let Some(RimSide { rim, .. }) = rims[id] {
             write!(out, ", \"rim\": \"{}\"", rim.name())?;
         }
         write!(out, "}}")

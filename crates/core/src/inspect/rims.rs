@@ -6,22 +6,33 @@
 //! number is even in the open and odd inside (the point in polyhedron test by crossings, for points). Where one of these is unclear,
 //! as beside a chamfer or on a scan of one side alone, the circle stays without a name.
 
-use lineament::curve::Round;
-use lineament::curve::pieces::{Piece, Shape};
-use lineament::math::vec3::{add_scaled, cross, dot, norm, perpendicular, sub};
-use lineament::{Strip, StripKind};
+use crate::curve::Round;
+use crate::curve::pieces::{Piece, Shape};
+use crate::math::vec3::{add_scaled, cross, dot, norm, perpendicular, scale, sub};
+use crate::network::{Strip, StripKind};
 use rayon::prelude::*;
 
 /// The part of a solid or sheet that a circle is the rim of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Rim {
+pub enum Rim {
+    /// Of an opening.
     Hole,
+    /// Of what stands out of a face.
     Boss,
+}
+
+/// What a circle is the rim of, and where the wall is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RimSide {
+    /// What it is the rim of.
+    pub rim: Rim,
+    /// The unit vector along which the wall leads away from the circle; `None` for an opening in a sheet.
+    pub wall: Option<[f64; 3]>,
 }
 
 impl Rim {
     /// The name in files.
-    pub(super) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Rim::Hole => "hole",
             Rim::Boss => "boss",
@@ -47,14 +58,17 @@ const ALONG: f64 = 5.0;
 const VOTES: usize = 4;
 const AGREED: f64 = 0.75;
 /// Angle of an arc from which on it may bound a hole or a boss, degrees: an arc of less is more likely a rounded corner.
-const MOST_OF_A_TURN: f64 = 200.0;
+pub(super) const MOST_OF_A_TURN: f64 = 200.0;
 
 /// `(S)` what each strip is the rim of. `points` are those on surfaces, world frame; `spacing` is theirs.
-pub(super) fn rims(strips: &[Strip], points: &[[f64; 3]], spacing: f64) -> Vec<Option<Rim>> {
+pub fn rims(strips: &[Strip], points: &[[f64; 3]], spacing: f64) -> Vec<Option<RimSide>> {
     if !(spacing > 0.0) || points.is_empty() {
         return vec![None; strips.len()];
     }
-    let rim = |strip: &Strip| Surround::of(circle(strip)?, points, spacing).rim(strip.kind);
+    let rim = |strip: &Strip| {
+        let circle = circle(strip)?;
+        Surround::of(circle, points, spacing).rim(strip.kind, circle.normal)
+    };
     strips.par_iter().map(rim).collect()
 }
 
@@ -116,18 +130,19 @@ impl Surround {
         found
     }
 
-    fn rim(mut self, kind: StripKind) -> Option<Rim> {
+    fn rim(mut self, kind: StripKind, normal: [f64; 3]) -> Option<RimSide> {
         let outside = alone(self.face)?;
         if kind == StripKind::Border {
             // The edge of an opening in a sheet: that of a disc would have its face inside, that of a tube a wall.
             let bare = self.wall.iter().all(|side| side.count_ones() <= ABSENT);
-            return (outside == 1 && bare).then_some(Rim::Hole);
+            return (outside == 1 && bare).then_some(RimSide { rim: Rim::Hole, wall: None });
         }
         let wall = alone(self.wall)?;
         let solid = self.solid(outside)?;
         // From a face around it a wall goes into the solid in a hole, and out of it to a boss. A face within is the floor of a
         // hole or the top of a boss.
-        Some(if (wall == solid) == (outside == 1) { Rim::Hole } else { Rim::Boss })
+        let rim = if (wall == solid) == (outside == 1) { Rim::Hole } else { Rim::Boss };
+        Some(RimSide { rim, wall: Some(scale(normal, if wall == 1 { 1.0 } else { -1.0 })) })
     }
 
     /// The side of the face, 0 below or 1 above, on which the solid lies.
@@ -171,17 +186,17 @@ fn inwards(heights: &mut [f64], h: f64) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lineament::shapes;
+    use crate::shapes;
 
     /// The rim that a crease is.
     fn rim(points: &[[f64; 3]], h: f64, centre: [f64; 3], normal: [f64; 3], radius: f64) -> Option<Rim> {
         // Which way the normal points means nothing.
         let [a, b] = [1.0, -1.0].map(|sign| {
             let circle = Round { centre, normal: normal.map(|x| sign * x), radius };
-            Surround::of(&circle, points, h).rim(StripKind::Crease)
+            Surround::of(&circle, points, h).rim(StripKind::Crease, circle.normal)
         });
         assert_eq!(a, b);
-        a
+        a.map(|side| side.rim)
     }
 
     #[test]
@@ -231,7 +246,9 @@ mod tests {
         let sampled = (shapes::sample("sheet").unwrap().make)(1);
         let h = (12.0f64 / 15_000.0).sqrt();
         let circle = Round { centre: [1.6, 1.4, 0.0], normal: [0.0, 0.0, 1.0], radius: 0.7 };
-        let of = |points: &[[f64; 3]]| Surround::of(&circle, points, h).rim(StripKind::Border);
+        let of = |points: &[[f64; 3]]| {
+            Surround::of(&circle, points, h).rim(StripKind::Border, circle.normal).map(|s| s.rim)
+        };
         assert_eq!(of(&sampled.cloud.positions), Some(Rim::Hole));
         // The disc that was cut out of it, as far as another part of the sheet can show it.
         let moved = sampled.cloud.positions.iter().map(|p| [p[0] - 1.4, p[1], p[2]]);
