@@ -5,11 +5,13 @@
 
 mod edges;
 mod rims;
+mod ring;
 mod round;
 
 pub use edges::StraightEdge;
 pub use rims::{Rim, RimSide, rims};
-pub use round::{RoundFeature, RoundKind, RoundSigma};
+pub use ring::RoundSigma;
+pub use round::{RoundFeature, RoundKind};
 
 use crate::network::Network;
 

@@ -1,8 +1,7 @@
 //! The round features of a network: holes and bosses with one rim or two, other circles, arcs.
 
-use super::rims::{MOST_OF_A_TURN, Rim, RimSide};
-use crate::curve::Round;
-use crate::curve::pieces::{Piece, Shape, Sigma};
+use super::rims::{Rim, RimSide};
+use super::ring::{Ring, RoundSigma, rings};
 use crate::math::vec3::{add, add_scaled, distance, dot, norm, scale, sub, unit};
 use crate::network::Network;
 
@@ -10,6 +9,8 @@ use crate::network::Network;
 const SAME: f64 = 0.5;
 /// Standard deviations within which they do.
 const DEVIATIONS: f64 = 3.0;
+/// Turn from which on an arc is a whole circle, degrees: what is left is where its strip begins.
+const WHOLE_DEG: f64 = 330.0;
 /// Sine of the angle between the axes of two rims of one wall.
 const ALONG: f64 = 0.1;
 
@@ -57,17 +58,6 @@ impl RoundKind {
     }
 }
 
-/// Standard deviations of a round feature.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RoundSigma {
-    /// Of the first centre on each axis.
-    pub centre: [f64; 3],
-    /// Of the axis, degrees.
-    pub axis_deg: f64,
-    /// Of the diameter.
-    pub diameter: f64,
-}
-
 impl RoundFeature {
     /// The distance from rim to rim of a hole or boss; `None` where one rim alone is known.
     pub fn depth(&self) -> Option<f64> {
@@ -78,29 +68,9 @@ impl RoundFeature {
     }
 }
 
-/// One circle or arc of a strip.
-struct Ring<'a> {
-    strip: usize,
-    round: &'a Round,
-    piece: &'a Piece,
-    /// Whether it is all of its strip, and most of a turn.
-    whole: bool,
-    side: Option<RimSide>,
-}
-
 /// All round features: by their kind, then by their diameter, greatest first. `sides` says of each strip what it is the rim of.
 pub(super) fn rounds(network: &Network, sides: &[Option<RimSide>], spacing: f64) -> Vec<RoundFeature> {
-    let mut rings = Vec::new();
-    for (strip, of) in network.strips.iter().enumerate() {
-        for piece in &of.curves {
-            let (Shape::Circle(round) | Shape::Arc { round, .. }) = &piece.shape else { continue };
-            // What a strip bounds is told of strips of one curve.
-            let side = sides.get(strip).copied().flatten().filter(|_| of.curves.len() == 1);
-            let turn = if let Shape::Arc { sweep, .. } = &piece.shape { sweep.to_degrees() } else { 360.0 };
-            let whole = of.curves.len() == 1 && turn > MOST_OF_A_TURN;
-            rings.push(Ring { strip, round, piece, whole, side });
-        }
-    }
+    let rings = rings(network, sides, spacing);
     let partner = partners(&rings, spacing);
     let mut all: Vec<RoundFeature> = Vec::new();
     for (i, ring) in rings.iter().enumerate() {
@@ -138,49 +108,36 @@ fn partners(rings: &[Ring], spacing: f64) -> Vec<Option<usize>> {
 fn depth(a: &Ring, b: &Ring, spacing: f64) -> Option<f64> {
     let side = a.side?;
     let wall = side.wall?;
-    let from = sub(b.round.centre, a.round.centre);
+    let from = sub(b.centre, a.centre);
     let depth = dot(from, wall);
     let aside = norm(sub(from, scale(wall, depth)));
-    let sigma = |r: &Ring| known(r).map_or(0.0, |s| s.diameter / 2.0 + norm(s.centre));
+    let sigma = |r: &Ring| r.sigma.map_or(0.0, |s| s.diameter / 2.0 + norm(s.centre));
     let same = SAME * spacing + DEVIATIONS * (sigma(a) + sigma(b));
-    let across = norm(sub(b.round.normal, scale(wall, dot(wall, b.round.normal))));
+    let across = norm(sub(b.normal, scale(wall, dot(wall, b.normal))));
     let coaxial = across <= ALONG && aside <= same.max(ALONG * depth);
     let fits = match b.side {
         Some(other) => other.rim == side.rim && other.wall.is_some_and(|back| dot(wall, back) < 0.0),
         None => b.whole,
     };
-    let one = depth > 0.0 && coaxial && (a.round.radius - b.round.radius).abs() <= same;
+    let one = depth > 0.0 && coaxial && (a.radius - b.radius).abs() <= same;
     (one && fits).then_some(depth)
 }
 
-fn known(ring: &Ring) -> Option<RoundSigma> {
-    match ring.piece.sigma {
-        Some(Sigma::Round { radius, normal, covariance }) => Some(RoundSigma {
-            centre: [0, 1, 2].map(|a| covariance[a][a].max(0.0).sqrt()),
-            axis_deg: normal.to_degrees(),
-            diameter: 2.0 * radius,
-        }),
-        _ => None,
-    }
-}
-
 fn alone(ring: &Ring) -> RoundFeature {
-    let whole = matches!(ring.piece.shape, Shape::Circle(_));
     let kind = match ring.side {
         Some(RimSide { rim: Rim::Hole, .. }) => RoundKind::Hole,
         Some(RimSide { rim: Rim::Boss, .. }) => RoundKind::Boss,
-        None if whole => RoundKind::Circle,
+        None if ring.turn_deg >= WHOLE_DEG => RoundKind::Circle,
         None => RoundKind::Arc,
     };
-    let sweep_deg = if let Shape::Arc { sweep, .. } = &ring.piece.shape { sweep.to_degrees() } else { 360.0 };
     RoundFeature {
         kind,
         strips: vec![ring.strip],
-        centres: vec![ring.round.centre],
-        axis: upright(ring.round.normal),
-        diameter: 2.0 * ring.round.radius,
-        sweep_deg,
-        sigma: known(ring),
+        centres: vec![ring.centre],
+        axis: upright(ring.normal),
+        diameter: 2.0 * ring.radius,
+        sweep_deg: ring.turn_deg,
+        sigma: ring.sigma,
     }
 }
 
@@ -193,13 +150,13 @@ fn upright(axis: [f64; 3]) -> [f64; 3] {
 /// Both rims as one: diameter and axis by the means of least variance.
 fn pair(a: &Ring, b: &Ring) -> RoundFeature {
     let kind = alone(if a.side.is_some() { a } else { b }).kind;
-    let between = unit(sub(b.round.centre, a.round.centre));
+    let between = unit(sub(b.centre, a.centre));
     let [a, b] = if upright(between) == between { [a, b] } else { [b, a] };
-    let from = sub(b.round.centre, a.round.centre);
+    let from = sub(b.centre, a.centre);
     let turned = |axis: [f64; 3]| if dot(axis, from) < 0.0 { scale(axis, -1.0) } else { axis };
-    let [first, second] = [a, b].map(|r| turned(r.round.normal));
-    let diameters = [a, b].map(|r| 2.0 * r.round.radius);
-    let (diameter, axis, sigma) = match known(a).zip(known(b)) {
+    let [first, second] = [a, b].map(|r| turned(r.normal));
+    let diameters = [a, b].map(|r| 2.0 * r.radius);
+    let (diameter, axis, sigma) = match a.sigma.zip(b.sigma) {
         Some((s, t)) => {
             let (diameter, of_diameter) = mean(diameters, [s.diameter, t.diameter]);
             let (share, of_axis) = mean([0.0, 1.0], [s.axis_deg, t.axis_deg]);
@@ -212,7 +169,7 @@ fn pair(a: &Ring, b: &Ring) -> RoundFeature {
     RoundFeature {
         kind,
         strips: vec![a.strip, b.strip],
-        centres: vec![a.round.centre, b.round.centre],
+        centres: vec![a.centre, b.centre],
         axis,
         diameter,
         sigma,

@@ -23,6 +23,7 @@ fn the_bracket_has_one_hole_one_boss_and_its_straight_edges() {
         [(hole, 1.8, 1.2, [2.0, 4.0], [0.0, 0.0, 1.0]), (boss, 1.6, 1.0, [2.0, 3.3], [0.0, 1.0, 0.0])]
     {
         let sigma = feature.sigma.unwrap();
+        assert!(feature.depth().is_some(), "{:?}", found.rounds);
         assert!((feature.diameter - diameter).abs() < (4.0 * sigma.diameter).max(0.01), "{feature:?}");
         assert!((feature.depth().unwrap() - depth).abs() < 0.03, "{feature:?}");
         let along = (0..3).map(|a| feature.axis[a] * axis[a]).sum::<f64>();
