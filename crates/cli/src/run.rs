@@ -8,7 +8,6 @@ mod context;
 mod evaluate;
 mod extract;
 mod info;
-mod listing;
 mod man;
 mod page;
 mod params;

@@ -1,5 +1,7 @@
 //! `lineament extract`.
 
+mod listing;
+
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -8,7 +10,7 @@ use lineament::{Cloud, Extraction};
 use lineament_io::{NetworkContext, NetworkFormat, ReadOptions, network_format, write_network};
 
 use super::context::context;
-use super::{listing, page, stages};
+use super::{page, stages};
 use crate::args::Extract;
 use crate::batch::Done;
 use crate::failure::{Code, Failure};

@@ -2,6 +2,7 @@
 
 mod apply;
 mod cad;
+mod listing;
 
 use crate::common::{Sandbox, cube, json};
 

@@ -10,7 +10,6 @@ mod detectors;
 mod evaluate;
 mod exit_codes;
 mod faults;
-mod listing;
 mod map_coordinates;
 mod reading;
 mod report;
