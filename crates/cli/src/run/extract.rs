@@ -72,7 +72,8 @@ fn one(
             false => write_network(path, &inputs, &found.network, &context),
         })?;
     }
-    let listed = listing::write(args.report.as_deref(), outputs, &inputs, origin, list.as_ref())?;
+    let listed =
+        listing::write(args.report.as_deref(), outputs, &inputs, origin, &input.name, list.as_ref())?;
     let staged = stages::write(work, args.stages.as_deref(), origin, &input.cloud, &found)?;
     let [wrote, total] = [writing, start].map(|t| t.elapsed().as_secs_f64());
     lines.extend(summary::unplaced(&input, outputs));

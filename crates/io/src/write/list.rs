@@ -153,7 +153,13 @@ fn decimals(found: &Inspection) -> usize {
 
 /// A number with so many decimals; `-` where it is not known.
 fn shown(value: f64, decimals: usize) -> String {
-    if value.is_finite() { format!("{value:.decimals$}") } else { "-".into() }
+    if !value.is_finite() {
+        return "-".into();
+    }
+    let text = format!("{value:.decimals$}");
+    // Without the sign of what rounds to nothing.
+    let nothing = text.strip_prefix('-').filter(|rest| rest.bytes().all(|b| b == b'0' || b == b'.'));
+    nothing.map_or(text.clone(), String::from)
 }
 
 fn round_cells(round: &RoundFeature, decimals: usize) -> Vec<String> {

@@ -10,7 +10,7 @@ use lineament_io::{list_format, write_list};
 use crate::failure::{Code, Failure};
 use crate::outputs;
 use crate::source::Origin;
-use crate::summary::{figure, plural};
+use crate::summary::{figure, grouped};
 use crate::work::Work;
 
 /// Circles up to which the summary tells what they are, as that takes a look at all points for each.
@@ -53,7 +53,7 @@ pub fn told(found: &Inspection) -> Vec<String> {
     let all: Vec<&RoundFeature> = found.rounds.iter().filter(named).collect();
     let mut lines: Vec<String> = all.iter().take(TOLD).map(|r| line(r)).collect();
     if all.len() > TOLD {
-        lines.push(format!("{} more: --report lists them", plural(all.len() - TOLD, "hole or boss")));
+        lines.push(format!("{} more holes and bosses: --report lists them", grouped(all.len() - TOLD)));
     }
     lines
 }
@@ -82,6 +82,7 @@ pub fn write(
     others: &[PathBuf],
     inputs: &[PathBuf],
     origin: &Origin,
+    name: &str,
     found: Option<&Inspection>,
 ) -> Result<Option<PathBuf>, Failure> {
     let (Some(path), Some(found)) = (path, found) else { return Ok(None) };
@@ -90,6 +91,6 @@ pub fn write(
         let message = format!("{}: named by -o and by --report", path.display());
         return Err(Failure::new(Code::Usage, message));
     }
-    outputs::write(&path, || write_list(&path, inputs, &origin.shown(), found))?;
+    outputs::write(&path, || write_list(&path, inputs, name, found))?;
     Ok(Some(path))
 }
