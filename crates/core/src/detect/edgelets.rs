@@ -13,6 +13,7 @@ mod links;
 mod moments;
 mod pieces;
 mod section;
+mod steps;
 
 use crate::measure::Edgelet;
 use crate::neighbors::Index;
@@ -64,9 +65,19 @@ pub(crate) fn edgelets(
             links.find(&section.points, section.noise);
             pieces.cut(section, links, params.evidence);
             corners::corners(section, links, pieces, params.turn_deg.to_radians(), out);
+            steps::steps(section, pieces, out);
         }
     });
-    distinct::distinct(&all, &index, params.agree)
+    let kept = distinct::distinct(&all, &index, params.agree);
+    if let Ok(f) = std::env::var("LDBG") {
+        let mut o = String::new();
+        for &i in &seeds { let p = points[i]; let h = scales.at(i); o += &format!("seed {} {} {} {} {}\n", p[0], p[1], p[2], h.spacing, h.noise); }
+        for i in &field.near { let p = points[*i as usize]; let a = field.along(*i as usize); o += &format!("near {} {} {} {} {}\n", p[0], p[1], p[2], a.is_some() as u8, a.map_or(0.0, |x| x.1)); }
+        for w in &all { let e = &w.edgelet; let p = e.place; o += &format!("raw {} {} {} {} {}\n", p[0], p[1], p[2], e.evidence, e.deviation / e.spacing); }
+        for e in &kept { let p = e.place; o += &format!("kept {} {} {} {} {}\n", p[0], p[1], p[2], e.evidence, e.deviation / e.spacing); }
+        std::fs::write(f, o).unwrap();
+    }
+    kept
 }
 
 /// Points at folds, in canonical order, none near an earlier one.

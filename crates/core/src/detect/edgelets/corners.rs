@@ -16,7 +16,7 @@ const JOINT: f64 = 6.0;
 /// Greatest distance of a corner from the joint and from both pieces, in spacings, and what a spacing of noise adds.
 const GAP: (f64, f64) = (0.6, 2.0);
 /// Greatest distance of a corner from the seed, in spacings.
-const CENTRE: f64 = 2.5;
+pub(super) const CENTRE: f64 = 2.5;
 /// Smallest standard deviation of a corner that is believed, in spacings.
 const EXACT: f64 = 0.03;
 /// Least sine of a turn by which the deviation is divided.

@@ -2,7 +2,7 @@
 
 use crate::math::eigen3::{Eigen3, eigen3};
 use crate::math::tensor::add_product;
-use crate::math::vec3::{add, add_scaled, dot, scale, sub, unit};
+use crate::math::vec3::{add, add_scaled, dot, norm, scale, sub, unit};
 use crate::neighbors::{Found, Index};
 use crate::parallel;
 use crate::surface::Scales;
@@ -11,6 +11,9 @@ use crate::surface::Scales;
 const ROUNDS: usize = 3;
 /// Scale of the weights of normals in the structure tensor, in spacings, and the distance at which they end.
 const TENSOR: (f64, f64) = (3.5, 4.7);
+/// Weight of the plane through all points around beside that of all their normals: it leans at a step between two parallel faces,
+/// whose normals show nothing.
+const TILT: f64 = 1.0;
 /// Least mean square of the normals across the direction of least change at a fold.
 const BEND: f64 = 0.03;
 /// The same at a place that is looked at closely, together with its surroundings.
@@ -19,6 +22,8 @@ const WORTH: f64 = 0.01;
 const LOOK: (f64, f64) = (2.0, 3.0);
 /// Distance from a seed within which normals must turn, in spacings, and the greatest cosine of such a turn.
 const CHANGE: (f64, f64) = (3.2, 0.966);
+/// Height of a step beyond what a bend explains, in spacings, and what a spacing of noise adds.
+const JUMP: (f64, f64) = (0.4, 2.0);
 /// Scale of a tube across, in spacings.
 const ACROSS: f64 = 1.3;
 /// Scale of a tube along without noise, in spacings, what a spacing of noise adds, and the greatest.
@@ -118,13 +123,22 @@ impl<'a> Field<'a> {
         (tensor.bend > BEND).then_some((tensor.along, tensor.grade))
     }
 
-    /// Whether the normals around point `i` turn within the reach of a cross-section's middle.
+    /// Whether the normals around point `i` turn, or the surface steps aside, within the reach of a cross-section's middle.
     pub(super) fn changes(&self, i: usize) -> bool {
         let (reach, cosine) = CHANGE;
-        let own = self.normal(i);
+        let (own, place) = (self.normal(i), self.place(i));
+        let resolution = self.scales.at(i);
+        let (least, noisy) = JUMP;
+        let jump = least * resolution.spacing + noisy * resolution.noise;
         let mut turns = 0;
-        self.around(self.points[i], reach, self.scales.at(i).spacing, |f| {
-            turns += u32::from(dot(self.normal(f.index as usize), own).abs() < cosine);
+        self.around(self.points[i], reach, resolution.spacing, |f| {
+            let j = f.index as usize;
+            let (normal, step) = (self.normal(j), sub(self.place(j), place));
+            let cosine_here = dot(normal, own).abs();
+            // Two places of an arc are as far from each other's tangents as half the angle between them explains.
+            let off = dot(normal, step).abs().min(dot(own, step).abs());
+            let bent = norm(step) * (0.5 * (1.0 - cosine_here)).max(0.0).sqrt();
+            turns += u32::from(cosine_here < cosine || off - bent > jump);
         }) && turns > 1
     }
 
@@ -166,13 +180,21 @@ impl<'a> Field<'a> {
     fn tensor(&self, i: usize) -> Option<Tensor> {
         let h = self.scales.at(i).spacing;
         let (mut m, mut sum) = ([0.0; 6], 0.0);
+        let (mut spread, mut centre, mut near) = ([0.0; 6], [0.0; 3], 0.0);
+        let own = self.points[i];
         let (wide, reach) = TENSOR;
         let scale = -1.0 / (wide * h * wide * h);
-        let all = self.around(self.points[i], reach, h, |f| {
+        let all = self.around(own, reach, h, |f| {
             let w = (f.distance2 * scale).exp();
             add_product(&mut m, self.normal(f.index as usize), w);
             sum += w;
+            let (d, w) = (sub(self.points[f.index as usize], own), w * w);
+            add_product(&mut spread, d, w);
+            centre = add_scaled(centre, d, w);
+            near += w;
         });
+        add_product(&mut spread, centre, -1.0 / near);
+        add_product(&mut m, eigen3(&spread).vectors[0], TILT * sum);
         let Eigen3 { values: [least, middle, _], vectors } = eigen3(&m);
         let tensor =
             Tensor { along: vectors[0], bend: middle / sum, grade: (middle - least) / middle.max(1e-12) };
