@@ -1,6 +1,6 @@
 //! The field: at every point the direction in which the surface does not change, and its normal fitted to points along it.
 
-use crate::math::eigen3::{Eigen3, eigen3};
+use crate::math::eigen3::{Eigen3, Symmetric3, eigen3};
 use crate::math::tensor::add_product;
 use crate::math::vec3::{add, add_scaled, dot, norm, scale, sub, unit};
 use crate::neighbors::{Found, Index};
@@ -74,6 +74,14 @@ struct Tensor {
     bend: f64,
     /// How certain the direction is, 0 to 1.
     grade: f64,
+}
+
+impl Tensor {
+    /// The tensor with the entries `m` of normals that weigh `sum` together.
+    fn of(m: &Symmetric3, sum: f64) -> Tensor {
+        let Eigen3 { values: [least, middle, _], vectors } = eigen3(m);
+        Tensor { along: vectors[0], bend: middle / sum, grade: (middle - least) / middle.max(1e-12) }
+    }
 }
 
 /// A point in a tube: its index, offset from the tube's centre and weight.
@@ -193,11 +201,12 @@ impl<'a> Field<'a> {
             centre = add_scaled(centre, d, w);
             near += w;
         });
-        add_product(&mut spread, centre, -1.0 / near);
-        add_product(&mut m, eigen3(&spread).vectors[0], TILT * sum);
-        let Eigen3 { values: [least, middle, _], vectors } = eigen3(&m);
-        let tensor =
-            Tensor { along: vectors[0], bend: middle / sum, grade: (middle - least) / middle.max(1e-12) };
+        let mut tensor = Tensor::of(&m, sum);
+        if tensor.bend <= BEND {
+            add_product(&mut spread, centre, -1.0 / near);
+            add_product(&mut m, eigen3(&spread).vectors[0], TILT * sum);
+            tensor = Tensor::of(&m, sum);
+        }
         all.then_some(tensor)
     }
 
