@@ -65,7 +65,9 @@ pub(crate) fn edgelets(
             links.find(&section.points, section.noise);
             pieces.cut(section, links, params.evidence);
             corners::corners(section, links, pieces, params.turn_deg.to_radians(), out);
-            steps::steps(section, pieces, out);
+            let before = out.len();
+            if std::env::var_os("NOSTEPS").is_none() { steps::steps(section, pieces, out); }
+            if std::env::var_os("STEPLOG").is_some() { for w in &out[before..] { eprintln!("step {:?}", w.edgelet.place); } }
         }
     });
     let kept = distinct::distinct(&all, &index, params.agree);

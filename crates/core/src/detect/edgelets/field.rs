@@ -2,7 +2,7 @@
 
 use crate::math::eigen3::{Eigen3, Symmetric3, eigen3};
 use crate::math::tensor::add_product;
-use crate::math::vec3::{add, add_scaled, dot, norm, scale, sub, unit};
+use crate::math::vec3::{add, add_scaled, dot, scale, sub, unit};
 use crate::neighbors::{Found, Index};
 use crate::parallel;
 use crate::surface::Scales;
@@ -23,7 +23,9 @@ const LOOK: (f64, f64) = (2.0, 3.0);
 /// Distance from a seed within which normals must turn, in spacings, and the greatest cosine of such a turn.
 const CHANGE: (f64, f64) = (3.2, 0.966);
 /// Height of a step beyond what a bend explains, in spacings, and what a spacing of noise adds.
-const JUMP: (f64, f64) = (0.4, 2.0);
+const JUMP: (f64, f64) = (0.4, 3.0);
+/// Least share of such points around a point at a step.
+const ASIDE: f64 = 0.08;
 /// Scale of a tube across, in spacings.
 const ACROSS: f64 = 1.3;
 /// Scale of a tube along without noise, in spacings, what a spacing of noise adds, and the greatest.
@@ -134,20 +136,22 @@ impl<'a> Field<'a> {
     /// Whether the normals around point `i` turn, or the surface steps aside, within the reach of a cross-section's middle.
     pub(super) fn changes(&self, i: usize) -> bool {
         let (reach, cosine) = CHANGE;
-        let (own, place) = (self.normal(i), self.place(i));
+        let own = self.normal(i);
+        let mut turns = 0;
+        self.around(self.points[i], reach, self.scales.at(i).spacing, |f| {
+            let j = f.index as usize;
+            turns += u32::from(dot(self.normal(j), own).abs() < cosine || self.steps_aside(i, j));
+        }) && turns > 1
+    }
+
+    /// Whether points `i` and `j` lie on parallel faces at different heights.
+    fn steps_aside(&self, i: usize, j: usize) -> bool {
+        let [n, m] = [i, j].map(|k| self.normal(k));
+        let step = sub(self.place(j), self.place(i));
+        let off = dot(n, step).abs().min(dot(m, step).abs());
         let resolution = self.scales.at(i);
         let (least, noisy) = JUMP;
-        let jump = least * resolution.spacing + noisy * resolution.noise;
-        let mut turns = 0;
-        self.around(self.points[i], reach, resolution.spacing, |f| {
-            let j = f.index as usize;
-            let (normal, step) = (self.normal(j), sub(self.place(j), place));
-            let cosine_here = dot(normal, own).abs();
-            // Two places of an arc are as far from each other's tangents as half the angle between them explains.
-            let off = dot(normal, step).abs().min(dot(own, step).abs());
-            let bent = norm(step) * (0.5 * (1.0 - cosine_here)).max(0.0).sqrt();
-            turns += u32::from(cosine_here < cosine || off - bent > jump);
-        }) && turns > 1
+        dot(n, m).abs() >= CHANGE.1 && off > least * resolution.spacing + noisy * resolution.noise
     }
 
     /// Passes the points within `reach` spacings `h` of a place to `take`; false, and not all of them, where it is crowded.
@@ -188,21 +192,25 @@ impl<'a> Field<'a> {
     fn tensor(&self, i: usize) -> Option<Tensor> {
         let h = self.scales.at(i).spacing;
         let (mut m, mut sum) = ([0.0; 6], 0.0);
-        let (mut spread, mut centre, mut near) = ([0.0; 6], [0.0; 3], 0.0);
-        let own = self.points[i];
+        let (mut spread, mut centre, mut near, mut aside) = ([0.0; 6], [0.0; 3], 0.0, 0.0);
+        let (own, facing) = (self.points[i], self.normal(i));
         let (wide, reach) = TENSOR;
         let scale = -1.0 / (wide * h * wide * h);
         let all = self.around(own, reach, h, |f| {
             let w = (f.distance2 * scale).exp();
-            add_product(&mut m, self.normal(f.index as usize), w);
+            let j = f.index as usize;
+            add_product(&mut m, self.normal(j), w);
             sum += w;
-            let (d, w) = (sub(self.points[f.index as usize], own), w * w);
-            add_product(&mut spread, d, w);
-            centre = add_scaled(centre, d, w);
-            near += w;
+            if dot(self.normal(j), facing).abs() >= CHANGE.1 {
+                let (d, w) = (sub(self.points[j], own), w * w);
+                add_product(&mut spread, d, w);
+                centre = add_scaled(centre, d, w);
+                near += w;
+                aside += if self.steps_aside(i, j) { w } else { 0.0 };
+            }
         });
         let mut tensor = Tensor::of(&m, sum);
-        if tensor.bend <= BEND {
+        if tensor.bend <= BEND && aside > ASIDE * near {
             add_product(&mut spread, centre, -1.0 / near);
             add_product(&mut m, eigen3(&spread).vectors[0], TILT * sum);
             tensor = Tensor::of(&m, sum);
