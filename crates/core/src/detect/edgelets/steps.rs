@@ -14,9 +14,10 @@ use crate::measure::Edgelet;
 const PARALLEL: f64 = 0.87;
 /// Height of a step: the least in spacings, what a spacing of noise adds to it, and the greatest in spacings.
 const HEIGHT: (f64, f64, f64) = (0.5, 3.0, 2.5);
-/// Greatest overlap and greatest gap of the pieces, in spacings, and what a spacing of noise adds to either.
+/// Greatest overlap of the pieces and greatest gap between them, in spacings, what a spacing of height adds to the gap, and what a
+/// spacing of noise adds to either. Rows along a step leave a gap as wide as they are apart.
 const OVERLAP: f64 = 0.5;
-const GAP: f64 = 0.7;
+const GAP: (f64, f64) = (0.7, 0.5);
 const NOISY: f64 = 1.0;
 /// Least length of a piece, in spacings.
 const LENGTH: f64 = 1.2;
@@ -40,12 +41,12 @@ struct End {
 /// Appends both corners of every step near the seed.
 pub(super) fn steps(section: &Section, pieces: &Pieces, out: &mut Vec<Weighted>) {
     let ends = ends(section, pieces);
+    if std::env::var_os("STEPLOG").is_some() { eprintln!("S {:?} n{} pieces {:?} ends {:?}", section.origin, section.points.len(), pieces.all.iter().flatten().map(|p| (p.count, (p.length()*10.0).round()/10.0)).collect::<Vec<_>>(), ends.iter().map(|e| (e.piece, e.place.map(|x| (x*10.0).round()/10.0), e.out.map(|x| (x*10.0).round()/10.0))).collect::<Vec<_>>()); }
     for (k, a) in ends.iter().enumerate() {
         for b in &ends[k + 1..] {
             if is_step(section, a, b) {
                 let evidence = pieces.loss((a.piece.min(b.piece), a.piece.max(b.piece)), variance(section));
-                out.push(corner(section, a, b, evidence));
-                out.push(corner(section, b, a, evidence));
+                out.extend([corner(section, a, b, evidence), corner(section, b, a, evidence)]);
             }
         }
     }
@@ -101,18 +102,21 @@ fn is_step(section: &Section, a: &End, b: &End) -> bool {
     let height = (0.5 * (a.out[0] - b.out[0]) * step[1] - 0.5 * (a.out[1] - b.out[1]) * step[0]).abs();
     let more = NOISY * section.noise;
     towards <= -PARALLEL
-        && (-OVERLAP - more..=GAP + more).contains(&gap)
+        && (-OVERLAP - more..=GAP.0 + GAP.1 * height + more).contains(&gap)
         && (HEIGHT.0 + HEIGHT.1 * section.noise..=HEIGHT.2).contains(&height)
 }
 
 /// The corner at the end `a`, which the step leads to `b`.
 fn corner(section: &Section, a: &End, b: &End, evidence: f64) -> Weighted {
     let step = [b.place[0] - a.place[0], b.place[1] - a.place[1]];
+    // The face between is upright, so that both faces end in the middle of the gap.
+    let half = 0.25 * ((a.out[0] - b.out[0]) * step[0] + (a.out[1] - b.out[1]) * step[1]).max(0.0);
+    let place = [a.place[0] + half * a.out[0], a.place[1] + half * a.out[1]];
     let side = [-a.out[1], a.out[0]];
     let sign = (side[0] * step[0] + side[1] * step[1]).signum();
     let arms = [a.out.map(|x| -x), side.map(|x| sign * x)].map(|arm| section.in_space(arm));
     let edgelet = Edgelet {
-        place: add_scaled(section.origin, section.in_space(a.place), section.unit),
+        place: add_scaled(section.origin, section.in_space(place), section.unit),
         point: section.seed,
         along: section.axes[0],
         arms,
