@@ -6,6 +6,9 @@ use super::section::{Across, WIDE};
 const NEAR: usize = 6;
 /// Greatest length of a link, in spacings, to which the noise is added.
 const FAR: f64 = 0.7;
+/// Least distance ahead or behind of the nearest point of the next row, in spacings: rows of points may run along the line, and the
+/// nearest neighbours are then all of one row.
+const ROW: f64 = 0.3;
 /// Offset of a neighbour from the tangent that counts nothing, in spacings, and the share of the noise added to it.
 const FLAT: (f64, f64) = (0.1, 0.3);
 /// Radians for a spacing of offset beyond it.
@@ -54,22 +57,35 @@ impl Links {
         pairs.clear();
         for (i, p) in (0..).zip(points) {
             near.clear();
+            let mut rows = [u64::MAX; 2];
             cells.around(p.place, |j| {
-                let q = points[j as usize].place;
-                let d2 = (p.place[0] - q[0]).powi(2) + (p.place[1] - q[1]).powi(2);
+                let (along, off) = from_tangent(p, &points[j as usize]);
+                let d2 = along * along + off * off;
                 if j != i && d2 < far * far {
-                    near.push(packed((d2 as f32).to_bits(), j));
+                    let key = packed((d2 as f32).to_bits(), j);
+                    near.push(key);
+                    if along.abs() > ROW.max(off.abs()) {
+                        let row = &mut rows[usize::from(along > 0.0)];
+                        *row = key.min(*row);
+                    }
                 }
             });
             if near.len() > NEAR {
                 near.select_nth_unstable(NEAR);
                 near.truncate(NEAR);
             }
+            near.extend(rows.into_iter().filter(|&key| key != u64::MAX));
             pairs.extend(near.iter().map(|&key| unpacked(key).1).map(|j| packed(i.min(j), i.max(j))));
         }
         pairs.sort_unstable();
         pairs.dedup();
     }
+}
+
+/// How far `q` lies along the tangent at `p`, and off it.
+fn from_tangent(p: &Across, q: &Across) -> (f64, f64) {
+    let ([a, b], [x, y]) = (p.normal, [q.place[0] - p.place[0], q.place[1] - p.place[1]]);
+    (x * b - y * a, x * a + y * b)
 }
 
 /// Two numbers in one, ordered by the first and then by the second.
