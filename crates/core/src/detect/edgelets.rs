@@ -59,12 +59,13 @@ pub(crate) fn edgelets(
     let index = Index::build(points);
     let field = Field::new(points, normals, &index, scales);
     let seeds = seeds(&field, params.apart_spacings);
+    let rnd: f64 = std::env::var("RND").map_or(0.0, |v| v.parse().unwrap());
     let all = parallel::flat_map_with(seeds.len(), SEEDS, |scratch: &mut Scratch, i, out| {
         let Scratch { section, links, pieces } = scratch;
         if section.take(&field, seeds[i]) {
             links.find(&section.points, section.noise);
             pieces.cut(section, links, params.evidence);
-            corners::corners(section, links, pieces, params.turn_deg.to_radians(), out);
+            corners::corners(section, links, pieces, (params.turn_deg.to_radians(), rnd), out);
             let before = out.len();
             if std::env::var_os("NOSTEPS").is_none() { steps::steps(section, pieces, out); }
             if std::env::var_os("STEPLOG").is_some() { for w in &out[before..] { eprintln!("step {:?}", w.edgelet.place); } }

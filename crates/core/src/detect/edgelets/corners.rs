@@ -3,7 +3,8 @@
 use super::Weighted;
 use super::links::Links;
 use super::pieces::{Piece, Pieces, variance};
-use super::section::Section;
+use super::section::{Across, Section};
+use crate::curve::circle::Circle;
 use crate::math::vec3::add_scaled;
 use crate::measure::Edgelet;
 
@@ -34,12 +35,13 @@ struct Joint {
     count: f64,
 }
 
-/// Appends the corners of a section with a turn of at least `least` radians.
+/// Appends the corners of a section with a turn of at least `least` radians that two pieces describe better by `needed` than one
+/// smooth curve.
 pub(super) fn corners(
     section: &Section,
     links: &Links,
     pieces: &Pieces,
-    least: f64,
+    (least, needed): (f64, f64),
     out: &mut Vec<Weighted>,
 ) {
     for joint in joints(section, links, pieces) {
@@ -47,13 +49,23 @@ pub(super) fn corners(
         let (Some(a), Some(b)) = (&pieces.all[a as usize], &pieces.all[b as usize]) else { continue };
         let Some(p) = place(section, &joint, a, b) else { continue };
         let evidence = pieces.loss(joint.pieces, variance(section));
+        let sharp = round_loss(section, pieces, joint.pieces) >= needed;
         let corner = corner(section, p, [a, b], evidence);
         let turn = corner.edgelet.turn();
         let vague = corner.edgelet.deviation > VAGUE * section.unit;
-        if (least..SHEET_DEG.to_radians()).contains(&turn) && !vague {
+        if (least..SHEET_DEG.to_radians()).contains(&turn) && !vague && sharp {
             out.push(corner);
         }
     }
+}
+
+/// How much worse one circle describes two pieces than two parabolas do: small pipes and rods have no creases.
+fn round_loss(section: &Section, pieces: &Pieces, pair: (u32, u32)) -> f64 {
+    let of = |&(p, label): &(&Across, &u32)| (*label == pair.0 || *label == pair.1).then_some(p.raw);
+    let points: Vec<[f64; 2]> = section.points.iter().zip(&pieces.label).filter_map(|p| of(&p)).collect();
+    let Some(circle) = Circle::fit(&points) else { return f64::INFINITY };
+    let cost = points.iter().map(|&p| circle.off(p).powi(2)).sum::<f64>() / variance(section);
+    cost - pieces.cost(pair, variance(section))
 }
 
 fn joints(section: &Section, links: &Links, pieces: &Pieces) -> Vec<Joint> {

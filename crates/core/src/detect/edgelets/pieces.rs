@@ -189,9 +189,13 @@ impl Pieces {
 
     /// How much worse one parabola describes two pieces than two do.
     pub(super) fn loss(&self, (a, b): (u32, u32), variance: f64) -> f64 {
-        let [a, b] = [a, b].map(|p| &self.sums[p as usize]);
-        let cost = |m: &Moments| m.fit(variance).map_or(f64::INFINITY, |p| p.cost);
-        cost(&a.with(b)) - cost(a) - cost(b)
+        let both = self.sums[a as usize].with(&self.sums[b as usize]);
+        cost(&both, variance) - self.cost((a, b), variance)
+    }
+
+    /// The sum of squares of two pieces about their parabolas over the variance.
+    pub(super) fn cost(&self, (a, b): (u32, u32), variance: f64) -> f64 {
+        cost(&self.sums[a as usize], variance) + cost(&self.sums[b as usize], variance)
     }
 
     fn fit(&mut self, points: &[Across], variance: f64) {
@@ -241,6 +245,11 @@ impl Pieces {
         }
         self.label.copy_from_slice(&self.next);
     }
+}
+
+/// The sum of squares of points about their parabola over the variance; infinite without one.
+fn cost(sums: &Moments, variance: f64) -> f64 {
+    sums.fit(variance).map_or(f64::INFINITY, |p| p.cost)
 }
 
 /// The variance of a point across the surface, squared spacings.
