@@ -59,28 +59,16 @@ pub(crate) fn edgelets(
     let index = Index::build(points);
     let field = Field::new(points, normals, &index, scales);
     let seeds = seeds(&field, params.apart_spacings);
-    let rnd: f64 = std::env::var("RND").map_or(0.0, |v| v.parse().unwrap());
     let all = parallel::flat_map_with(seeds.len(), SEEDS, |scratch: &mut Scratch, i, out| {
         let Scratch { section, links, pieces } = scratch;
         if section.take(&field, seeds[i]) {
             links.find(&section.points, section.noise);
             pieces.cut(section, links, params.evidence);
-            corners::corners(section, links, pieces, (params.turn_deg.to_radians(), rnd), out);
-            let before = out.len();
-            if std::env::var_os("NOSTEPS").is_none() { steps::steps(section, pieces, out); }
-            if std::env::var_os("STEPLOG").is_some() { for w in &out[before..] { eprintln!("step {:?}", w.edgelet.place); } }
+            corners::corners(section, links, pieces, params.turn_deg.to_radians(), out);
+            steps::steps(section, pieces, out);
         }
     });
-    let kept = distinct::distinct(&all, &index, params.agree);
-    if let Ok(f) = std::env::var("LDBG") {
-        let mut o = String::new();
-        for &i in &seeds { let p = points[i]; let h = scales.at(i); o += &format!("seed {} {} {} {} {}\n", p[0], p[1], p[2], h.spacing, h.noise); }
-        for i in &field.near { let p = points[*i as usize]; let a = field.along(*i as usize); o += &format!("near {} {} {} {} {}\n", p[0], p[1], p[2], a.is_some() as u8, a.map_or(0.0, |x| x.1)); }
-        for w in &all { let e = &w.edgelet; let p = e.place; o += &format!("raw {} {} {} {} {}\n", p[0], p[1], p[2], e.evidence, e.deviation / e.spacing); }
-        for e in &kept { let p = e.place; o += &format!("kept {} {} {} {} {}\n", p[0], p[1], p[2], e.evidence, e.deviation / e.spacing); }
-        std::fs::write(f, o).unwrap();
-    }
-    kept
+    distinct::distinct(&all, &index, params.agree)
 }
 
 /// Points at folds, in canonical order, none near an earlier one.

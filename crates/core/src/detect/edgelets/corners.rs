@@ -35,13 +35,12 @@ struct Joint {
     count: f64,
 }
 
-/// Appends the corners of a section with a turn of at least `least` radians that two pieces describe better by `needed` than one
-/// smooth curve.
+/// Appends the corners of a section with a turn of at least `least` radians, but for those between two pieces of one circle.
 pub(super) fn corners(
     section: &Section,
     links: &Links,
     pieces: &Pieces,
-    (least, needed): (f64, f64),
+    least: f64,
     out: &mut Vec<Weighted>,
 ) {
     for joint in joints(section, links, pieces) {
@@ -49,11 +48,11 @@ pub(super) fn corners(
         let (Some(a), Some(b)) = (&pieces.all[a as usize], &pieces.all[b as usize]) else { continue };
         let Some(p) = place(section, &joint, a, b) else { continue };
         let evidence = pieces.loss(joint.pieces, variance(section));
-        let sharp = round_loss(section, pieces, joint.pieces) >= needed;
+        let round = round_loss(section, pieces, joint.pieces) < 0.0;
         let corner = corner(section, p, [a, b], evidence);
         let turn = corner.edgelet.turn();
         let vague = corner.edgelet.deviation > VAGUE * section.unit;
-        if (least..SHEET_DEG.to_radians()).contains(&turn) && !vague && sharp {
+        if (least..SHEET_DEG.to_radians()).contains(&turn) && !vague && !round {
             out.push(corner);
         }
     }

@@ -41,10 +41,6 @@ struct End {
 /// Appends both corners of every step near the seed.
 pub(super) fn steps(section: &Section, pieces: &Pieces, out: &mut Vec<Weighted>) {
     let ends = ends(section, pieces);
-    if std::env::var_os("STEPPTS").is_some_and(|v| v.to_string_lossy().split(',').zip(section.origin).all(|(a, b)| (a.parse::<f64>().unwrap() - b).abs() < 0.02)) {
-        for (p, l) in section.points.iter().zip(&pieces.label) { eprintln!("P {} {} {} {} {} {} {}", p.raw[0], p.raw[1], p.place[0], p.place[1], p.normal[0], p.normal[1], l); }
-    }
-    if std::env::var_os("STEPLOG").is_some() { eprintln!("S {:?} n{} pieces {:?} ends {:?}", section.origin, section.points.len(), pieces.all.iter().flatten().map(|p| (p.count, (p.length()*10.0).round()/10.0)).collect::<Vec<_>>(), ends.iter().map(|e| (e.piece, e.place.map(|x| (x*10.0).round()/10.0), e.out.map(|x| (x*10.0).round()/10.0))).collect::<Vec<_>>()); }
     for (k, a) in ends.iter().enumerate() {
         for b in &ends[k + 1..] {
             if is_step(section, a, b) {
