@@ -24,6 +24,8 @@ const EXACT: f64 = 0.03;
 const OBLIQUE: f64 = 0.1;
 /// Loss of weight with each spacing of distance from the seed.
 const ASIDE: f64 = 0.3;
+/// By how much two parabolas must describe two pieces better than one circle, as they have three parameters more.
+const MORE: f64 = 3.0;
 /// Greatest standard deviation of a corner, in spacings.
 const VAGUE: f64 = 0.5;
 
@@ -48,7 +50,7 @@ pub(super) fn corners(
         let (Some(a), Some(b)) = (&pieces.all[a as usize], &pieces.all[b as usize]) else { continue };
         let Some(p) = place(section, &joint, a, b) else { continue };
         let evidence = pieces.loss(joint.pieces, variance(section));
-        let round = round_loss(section, pieces, joint.pieces) < 0.0;
+        let round = round_loss(section, pieces, joint.pieces) < MORE;
         let corner = corner(section, p, [a, b], evidence);
         let turn = corner.edgelet.turn();
         let vague = corner.edgelet.deviation > VAGUE * section.unit;

@@ -1,6 +1,7 @@
 use super::moments::Moments;
 use super::section::Across;
 use super::*;
+use crate::math::union_find::UnionFind;
 use crate::math::vec3::{cross, dot, norm, sub, unit};
 use crate::resolution::Resolution;
 use crate::shapes::Rng;
@@ -114,4 +115,69 @@ fn moments_give_the_parabola_that_the_points_lie_on_in_any_frame() {
         assert!(fit.cost < 1.0 && halves[0].fit(1e-4).unwrap().cost < fit.cost);
     }
     assert!(Moments::default().fit(1.0).is_none());
+}
+
+#[test]
+fn both_corners_of_a_step_are_found_where_no_point_lies_on_its_face() {
+    for (height, noise) in [(1.4, 0.05), (2.0, 0.05), (1.4, 0.15)] {
+        let mut rng = Rng::new(5);
+        let mut points = Vec::new();
+        for i in 0..40 {
+            for j in -12..12 {
+                let [x, y] = [f64::from(i), f64::from(j) + 0.5].map(|c| c + 0.2 * rng.gaussian());
+                let y = if j < 0 { y.min(0.0) } else { y.max(0.0) };
+                points.push([x, y, noise * rng.gaussian() + if j < 0 { 0.0 } else { height }]);
+            }
+        }
+        let normals = vec![[0.0, 0.0, 1.0]; points.len()];
+        let found = edgelets(&points, &normals, scales(noise), &EdgeletParams::default());
+        for z in [0.0, height] {
+            let near = |e: &&Edgelet| (e.place[2] - z).abs() < 0.2;
+            assert!(found.iter().filter(near).count() > 20, "{height}, {noise}: {}", found.len());
+        }
+        for e in &found {
+            assert!(e.place[1].abs() < 0.6, "{height}, {noise}: {:?}", e.place);
+            assert!(norm(cross(e.along, [1.0, 0.0, 0.0])) < 0.2, "{height}, {noise}: {:?}", e.along);
+            assert!((e.turn().to_degrees() - 90.0).abs() < 20.0, "{height}, {noise}: {}", e.turn());
+        }
+        // One sheet above another is no step, however near.
+        let sheets: Vec<[f64; 3]> =
+            points.iter().flat_map(|p| [[p[0], p[1], 0.0], [p[0] + 0.5, p[1] + 0.5, height]]).collect();
+        let normals = vec![[0.0, 0.0, 1.0]; sheets.len()];
+        assert!(edgelets(&sheets, &normals, scales(noise), &EdgeletParams::default()).is_empty());
+    }
+}
+
+#[test]
+fn rows_of_points_along_the_line_are_linked_with_each_other() {
+    let mut rng = Rng::new(9);
+    let across = |k: i32, rng: &mut Rng| {
+        let place = [0.65 * f64::from(k / 18) + 0.05 * rng.gaussian(), 0.05 * rng.gaussian()];
+        Across { raw: place, place, normal: [0.0, 1.0] }
+    };
+    let points: Vec<Across> = (0..90).map(|k| across(k, &mut rng)).collect();
+    let mut links = Links::default();
+    links.find(&points, 0.05);
+    let mut sets = UnionFind::new(points.len());
+    links.all.iter().for_each(|link| {
+        sets.union(link.a, link.b);
+    });
+    assert!((0..90).all(|i| sets.find(i) == sets.find(0)));
+}
+
+#[test]
+fn a_thin_pipe_has_no_creases() {
+    let mut rng = Rng::new(11);
+    let (mut points, mut normals) = (Vec::new(), Vec::new());
+    for i in 0..30 {
+        for j in 0..14 {
+            let x = f64::from(i) + 0.2 * rng.gaussian();
+            let angle = (f64::from(j) + 0.2 * rng.gaussian()) * std::f64::consts::TAU / 14.0;
+            let radius = 2.2 + 0.05 * rng.gaussian();
+            points.push([x, radius * angle.cos(), radius * angle.sin()]);
+            normals.push([0.0, angle.cos() as f32, angle.sin() as f32]);
+        }
+    }
+    let n = edgelets(&points, &normals, scales(0.05), &EdgeletParams::default()).len();
+    assert!(n == 0, "{n}");
 }
