@@ -30,6 +30,7 @@ from lineament._network import Network, Node, Provenance, Strip
 from lineament._parameters import Parameter, parameters
 from lineament._patches import Loop, Patch, Patches, Sides, Surface
 from lineament._points import PointsLike
+from lineament._relations import Regularised, Relation
 from lineament._render import Picture, render
 from lineament._report import PointClass, Report
 from lineament._samples import sample, samples
@@ -68,6 +69,8 @@ __all__ = [
     "PointsLike",
     "Progress",
     "Provenance",
+    "Regularised",
+    "Relation",
     "Repeat",
     "Report",
     "Run",

@@ -17,6 +17,7 @@ from lineament._parameters import settings, signed
 from lineament._patches import Patches
 from lineament._points import PointsLike
 from lineament._progress import watcher
+from lineament._relations import Regularised, Relation, regularised, relation
 from lineament._report import Report
 from lineament._scan import Scan, as_scan, provenance
 
@@ -43,6 +44,10 @@ class Extraction:
     """Indices of the points of the input that lie on no surface, ascending."""
     patches: Patches | None
     """The patches between the lines; ``None`` if they were not looked for."""
+    relations: list[Relation]
+    """The relations between the typed curves of the lines."""
+    regularised: Regularised | None
+    """How far ``relations_regularise=True`` moved nodes and curves; ``None`` without."""
     report: Report
     scan: Scan = field(repr=False)
     """The points, as they were given."""
@@ -69,7 +74,7 @@ class Extraction:
         return f"Extraction({self.network!r}, {len(self.classes)} points)"
 
 
-LINES = ("method", "neighbors", "surface", "penalty", "projection", "edgelets", "spanning", "repair", "segments", "recover", "spline", "patches")
+LINES = ("method", "neighbors", "surface", "penalty", "projection", "edgelets", "spanning", "repair", "segments", "recover", "spline", "relations", "patches")
 """The sections of the table of parameters that concern lines."""
 
 
@@ -155,4 +160,5 @@ def run(points: PointsLike, given: list[tuple[str, str]], progress: Progress) ->
     patched = None
     if raw["patches"] is not None and labels is not None:
         patched = Patches._of(raw["patches"], labels, network, classes, found, scan)
-    return Extraction(network, classes, raw["scores"], raw["clutter"], patched, report, scan, found)
+    relations, moved = [relation(r) for r in raw["relations"]], regularised(raw["regularised"])
+    return Extraction(network, classes, raw["scores"], raw["clutter"], patched, relations, moved, report, scan, found)

@@ -153,6 +153,11 @@ class Parameters(TypedDict, total=False):
     number from 0 to 1000; default 3.0)"""
     spline_step_spacings: float
     """Distance between the points that a curve is written with. (spacings; a number from 0.01 to 100; default 0.5)"""
+    relations_regularise: bool
+    """Whether curves and nodes are moved, within what the noise allows, so that the relations hold exactly. (true or
+    false; default False)"""
+    relations_likelihood: float
+    """Least probability of a relation, against chance. (a number from 0.5 to 1; default 0.7)"""
     patches_find: bool | Literal["auto"]
     """Whether the patches are found; auto: with the method `segments`. (auto or true or false; default auto)"""
 

@@ -324,6 +324,25 @@ class RawScan(TypedDict):
     bytes: int
 
 @type_check_only
+class RawRelation(TypedDict):
+    kind: Literal["parallel", "perpendicular", "coplanar", "coaxial", "concentric", "equal-radius", "tangent", "symmetric"]
+    members: list[tuple[int, int]]
+    others: list[tuple[int, int]]
+    likelihood: float
+    deviation: float | None
+    deviation_deg: float | None
+    direction: npt.NDArray[np.float64] | None
+    point: npt.NDArray[np.float64] | None
+    radius: float | None
+    imposed: bool
+
+@type_check_only
+class RawRegularised(TypedDict):
+    nodes: npt.NDArray[np.float64]
+    curves: list[npt.NDArray[np.float64]]
+    released: list[tuple[int, int]]
+
+@type_check_only
 class RawExtraction(TypedDict):
     found: Found
     network: RawNetwork
@@ -332,6 +351,8 @@ class RawExtraction(TypedDict):
     clutter: npt.NDArray[np.uint32]
     labels: npt.NDArray[np.int32] | None
     patches: RawPatches | None
+    relations: list[RawRelation]
+    regularised: RawRegularised | None
     report: RawReport
 
 @final

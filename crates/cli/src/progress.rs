@@ -13,14 +13,15 @@ use lineament::{Cloud, Error, Extraction, Params, Progress, Stage, extract, extr
 const PATIENCE: Duration = Duration::from_millis(700);
 const TICK: Duration = Duration::from_millis(120);
 /// Stages with their rough share of the time of an extraction.
-const SHARES: [(Stage, f64); 7] = [
+const SHARES: [(Stage, f64); 8] = [
     (Stage::Localise, 0.03),
     (Stage::Neighbors, 0.17),
     (Stage::Surface, 0.10),
     (Stage::Detect, 0.45),
     (Stage::Link, 0.17),
     (Stage::Recover, 0.03),
-    (Stage::Patches, 0.05),
+    (Stage::Patches, 0.04),
+    (Stage::Relations, 0.01),
 ];
 
 /// Extracts the lines. On a terminal, and unless the user has asked for quiet, standard error shows the stage, the share done and
@@ -133,7 +134,7 @@ mod tests {
         let at = |stage, done| share(Progress { stage, done });
         assert_eq!(at(Stage::Localise, 0.0), 0.0);
         assert!((at(Stage::Detect, 0.0) - 0.3).abs() < 1e-12);
-        assert!((at(Stage::Patches, 1.0) - 1.0).abs() < 1e-12);
+        assert!((at(Stage::Relations, 1.0) - 1.0).abs() < 1e-12);
     }
 
     #[test]

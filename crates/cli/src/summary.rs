@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use lineament::{Extraction, Network, NodeKind, Report, StripKind};
+use lineament::{Extraction, Network, NodeKind, Related, RelationKind, Report, StripKind};
 use lineament_io::{NetworkContext, NetworkFormat, network_format};
 
 use crate::source::Input;
@@ -13,6 +13,7 @@ pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> 
     let mut lines = vec![points(input, report)];
     lines.extend(report.surface.unused(report.read));
     lines.extend([resolution(report), counts(&extraction.network)]);
+    lines.extend(related(&extraction.related));
     lines.extend(no_line(extraction));
     lines.extend(warnings(input));
     lines.extend(report.notes.iter().map(|note| format!("note: {note}")));
@@ -137,6 +138,24 @@ fn counts(network: &Network) -> String {
         parts.push(format!("apex: {}", network.count(NodeKind::Apex)));
     }
     parts.join(", ")
+}
+
+/// The relations between curves, where there are any, and what their imposition moved.
+fn related(related: &Related) -> Option<String> {
+    let counts = RelationKind::ALL.into_iter().map(|kind| (kind, related.count(kind)));
+    let named: Vec<String> = counts
+        .filter(|c| c.1 > 0)
+        .map(|(kind, count)| format!("{} {}", grouped(count), kind.name()))
+        .collect();
+    let moved = related.regularised.as_ref().map(|moved| match moved.released.len() {
+        0 => format!("; imposed, nothing moved by more than {}", figure(moved.greatest())),
+        n => format!(
+            "; imposed, nothing moved by more than {}, {} left out",
+            figure(moved.greatest()),
+            plural(n, "curve")
+        ),
+    });
+    (!named.is_empty()).then(|| format!("relations: {}{}", named.join(", "), moved.unwrap_or_default()))
 }
 
 /// Heads of the table of many inputs.

@@ -14,6 +14,7 @@ use crate::patch::{NO_PATCH, Patches};
 use crate::pattern::Pattern;
 use crate::prepare::{Prepared, prepare};
 use crate::recover::to_world;
+use crate::relation::Related;
 use crate::report::{Clock, Progress, Report, Stage};
 use crate::resolution::Resolution;
 
@@ -71,6 +72,7 @@ fn pipeline(
     let patches = method::wants_patches(params).then(|| {
         clock.run(Stage::Patches, || method::patches(&cloud, &measure, &mut pattern, &mut network, params))
     });
+    let related = clock.run(Stage::Relations, || method::related(&cloud, &mut network, params));
     let class = measure.class.clone().unwrap_or_else(|| classes(&cloud.positions, &network, cloud.scales()));
     let mut report = cloud.report();
     report.stages = clock.stages;
@@ -78,7 +80,10 @@ fn pipeline(
     report.used = method::used(&cloud, params);
     report.notes.extend(method::notes(&cloud, clusters.as_ref(), params));
     let Prepared { frame, source, canonical, clutter, .. } = cloud;
-    let (network, stay) = to_world(network, &frame, &source);
+    let ends: Vec<_> = network.strips.iter().map(|s| [s.start, s.end]).collect();
+    let (network, stay) = to_world(network, &frame, &source, related.regularised.is_some());
+    let met = |n: usize| ends.iter().zip(&stay).any(|(e, &s)| s && e.contains(&Some(n as u32)));
+    let related = related.placed(&frame).of_strips(&stay, met);
     let patches = patches.map(|p| p.placed(&frame).of_strips(&stay));
     Ok(Extraction {
         report,
@@ -91,6 +96,7 @@ fn pipeline(
         pattern,
         clusters,
         network,
+        related,
         patches,
     })
 }
@@ -118,6 +124,8 @@ pub struct Extraction {
     pub clusters: Option<ClusterStages>,
     /// The result, world frame, sources as indices of the input.
     pub network: Network,
+    /// The relations between the typed curves of the network, and what their imposition moved.
+    pub related: Related,
     /// The patches between the strips, world frame; `None` if they were not asked for.
     pub patches: Option<Patches>,
 }
@@ -126,8 +134,8 @@ impl Extraction {
     /// Leaves only the strips that `keep` says, with the nodes that they have; those of less strips than before become of another
     /// kind. The classes of points stay.
     pub fn choose(&mut self, keep: impl Fn(&Strip) -> bool) {
-        let stay = self.network.choose(keep);
-        self.patches = self.patches.take().map(|patches| patches.of_strips(&stay));
+        let stay: Vec<bool> = self.network.strips.iter().map(keep).collect();
+        self.keep(&stay);
     }
 
     /// As [`choose`](Extraction::choose), leaves out the borders around holes in the surface that are shorter than `length`, in
@@ -138,8 +146,13 @@ impl Extraction {
         let local: Vec<[f64; 3]> = positions.map(|&p| self.frame.to_local(p)).collect();
         let holes = holes::holes(&self.network, &local, |p| self.frame.to_local(p));
         let stay: Vec<bool> = holes.iter().map(|hole| hole.is_none_or(|around| around >= length)).collect();
-        self.network.keep(&stay);
-        self.patches = self.patches.take().map(|patches| patches.of_strips(&stay));
+        self.keep(&stay);
+    }
+
+    fn keep(&mut self, stay: &[bool]) {
+        let kept = self.network.keep(stay);
+        self.related = std::mem::take(&mut self.related).of_strips(stay, |n| kept[n]);
+        self.patches = self.patches.take().map(|patches| patches.of_strips(stay));
     }
 
     /// `(N)` class of every point of the input, in its order; dropped points are smooth.

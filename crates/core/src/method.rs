@@ -14,7 +14,8 @@ use crate::params::{Method, Params, PenaltyForm, SegmentForm};
 use crate::patch::{self, Ground, Patches};
 use crate::pattern::Pattern;
 use crate::prepare::Prepared;
-use crate::recover::{close_rings, recover, refit, sharpen, take_back};
+use crate::recover::{close_rings, observe, recover, refit, sharpen, take_back};
+use crate::relation::{Related, related as relations};
 
 /// The parameters for a detector of the caller's own: its measure goes to the linker of the method `penalty`.
 pub(crate) fn with_own_detector(params: &Params) -> Params {
@@ -72,6 +73,14 @@ pub(crate) fn recovered(cloud: &Prepared, measure: &Measure, pattern: &Pattern, 
     sharpen(&mut network, &ground, &params.recover, &params.spline);
     refit(&mut network, positions, graph, cloud.scales());
     network
+}
+
+/// The relations between the typed curves of a network, which is moved so that they hold if that is asked for.
+pub(crate) fn related(cloud: &Prepared, network: &mut Network, params: &Params) -> Related {
+    let scales = cloud.scales();
+    let observed = observe(network, &cloud.positions, &cloud.graph, scales);
+    let spacing: Vec<f64> = network.strips.iter().map(|s| scales.finest(&s.sources).spacing).collect();
+    relations(network, &observed, &spacing, cloud.resolution.noise, &params.relations)
 }
 
 /// Whether patches are to be found: if asked for, and by the method whose lines bound them.

@@ -78,14 +78,16 @@ impl Network {
         stay
     }
 
-    /// As [`Network::choose`], by `(S)` whether each strip stays.
-    pub(crate) fn keep(&mut self, stay: &[bool]) {
+    /// As [`Network::choose`], by `(S)` whether each strip stays. Returns whether each node does.
+    pub(crate) fn keep(&mut self, stay: &[bool]) -> Vec<bool> {
         let mut next = stay.iter();
         self.strips.retain(|_| next.next().is_some_and(|&s| s));
         let mut degree = vec![0u32; self.nodes.len()];
         let ends = |strip: &Strip| [strip.start, strip.end].into_iter().flatten();
         self.strips.iter().flat_map(ends).for_each(|n| degree[n as usize] += 1);
         let mut number = vec![0; self.nodes.len()];
+        let stays = |(node, &degree): (&Node, &u32)| degree > 0 || node.degree == 0;
+        let nodes = self.nodes.iter().zip(&degree).map(stays).collect();
         let mut kept = Vec::new();
         for (i, node) in
             self.nodes.drain(..).enumerate().filter(|(i, node)| degree[*i] > 0 || node.degree == 0)
@@ -98,6 +100,7 @@ impl Network {
         for end in self.strips.iter_mut().flat_map(|s| [&mut s.start, &mut s.end]) {
             *end = end.map(|n| number[n as usize]);
         }
+        nodes
     }
 
     /// The number of closed strips.

@@ -174,6 +174,14 @@ sections! {
         step_spacings: f64 = 0.5, "spacings", 0.01..=100.0;
     }
 
+    /// Relations between the typed curves of the lines: parallel, perpendicular, coplanar, coaxial and others.
+    relations: RelationParams {
+        /// Whether curves and nodes are moved, within what the noise allows, so that the relations hold exactly.
+        regularise: bool = false, "", 0.0..=0.0;
+        /// Least probability of a relation, against chance.
+        likelihood: f64 = 0.7, "", 0.5..=1.0;
+    }
+
     /// The patches between the lines.
     patches: PatchParams {
         /// Whether the patches are found; auto: with the method `segments`.

@@ -3,6 +3,7 @@
 mod corner;
 mod faces;
 mod nodes;
+mod observe;
 mod rings;
 mod sharpen;
 mod spline;
@@ -12,6 +13,7 @@ mod wedge;
 mod world;
 
 pub(crate) use faces::refit;
+pub(crate) use observe::observe;
 pub(crate) use rings::close as close_rings;
 pub(crate) use sharpen::sharpen;
 pub(crate) use spline::span_spacings;

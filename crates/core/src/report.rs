@@ -47,6 +47,8 @@ pub enum Stage {
     Recover,
     /// Patches and their loops.
     Patches,
+    /// Relations between curves, and their imposition.
+    Relations,
 }
 
 impl Stage {
@@ -60,6 +62,7 @@ impl Stage {
             Stage::Link => "link",
             Stage::Recover => "recover",
             Stage::Patches => "patches",
+            Stage::Relations => "relations",
         }
     }
 }

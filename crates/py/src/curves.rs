@@ -1,7 +1,8 @@
-//! Curves: B-splines, and the typed curves of a strip.
+//! Curves: B-splines, the typed curves of a strip, and the relations between these.
 
 use lineament::curve::pieces::{Piece, Shape, Sigma};
 use lineament::curve::{BSpline, Round};
+use lineament::relation::{Member, Regularised, Relation};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -144,5 +145,58 @@ impl TypedIn<'_> {
     /// The curve.
     pub fn piece(&self) -> Piece {
         self.typed.get().0.clone()
+    }
+}
+
+/// A relation as a dictionary.
+#[derive(IntoPyObject)]
+pub struct RelationOut<'py> {
+    kind: &'static str,
+    members: Vec<(u32, u32)>,
+    others: Vec<(u32, u32)>,
+    likelihood: f64,
+    deviation: Option<f64>,
+    deviation_deg: Option<f64>,
+    direction: Option<Bound<'py, PyArray1<f64>>>,
+    point: Option<Bound<'py, PyArray1<f64>>>,
+    radius: Option<f64>,
+    imposed: bool,
+}
+
+/// What the imposition of relations has moved, as a dictionary.
+#[derive(IntoPyObject)]
+pub struct RegularisedOut<'py> {
+    nodes: Bound<'py, PyArray1<f64>>,
+    curves: Vec<Bound<'py, PyArray1<f64>>>,
+    released: Vec<(u32, u32)>,
+}
+
+fn pairs(of: &[Member]) -> Vec<(u32, u32)> {
+    of.iter().map(|m| (m.strip, m.curve)).collect()
+}
+
+/// The relations for Python.
+pub fn relations<'py>(py: Python<'py>, relations: &[Relation]) -> Vec<RelationOut<'py>> {
+    let one = |r: &Relation| RelationOut {
+        kind: r.kind.name(),
+        members: pairs(&r.members),
+        others: pairs(&r.others),
+        likelihood: r.likelihood,
+        deviation: (!r.kind.is_angle()).then_some(r.deviation),
+        deviation_deg: r.kind.is_angle().then(|| r.deviation.to_degrees()),
+        direction: r.direction.map(|d| triple(py, d)),
+        point: r.point.map(|p| triple(py, p)),
+        radius: r.radius,
+        imposed: r.imposed,
+    };
+    relations.iter().map(one).collect()
+}
+
+/// What was moved, for Python.
+pub fn moved<'py>(py: Python<'py>, moved: &Regularised) -> RegularisedOut<'py> {
+    RegularisedOut {
+        nodes: moved.nodes.clone().into_pyarray(py),
+        curves: moved.curves.iter().map(|c| c.clone().into_pyarray(py)).collect(),
+        released: pairs(&moved.released),
     }
 }

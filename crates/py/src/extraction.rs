@@ -3,13 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use lineament::patch::NO_PATCH;
-use lineament::{Attribute, Column, Extraction, Network, Patches, extract_observed};
+use lineament::{Attribute, Column, Extraction, Network, Patches, Related, extract_observed};
 use lineament_io::{NetworkContext, PointTable, Report, write_network, write_patches};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use serde::{Deserialize, Serialize};
 
+use crate::curves::{self, RegularisedOut, RelationOut};
 use crate::fault::Fault;
 use crate::network::{self, NetworkOut};
 use crate::patches::{self, PatchesOut};
@@ -27,6 +28,7 @@ use crate::work::{Observe, on_rows};
 pub struct Found {
     network: Network,
     patches: Option<Patches>,
+    related: Related,
 }
 
 /// An extraction as a dictionary.
@@ -39,6 +41,8 @@ pub struct ExtractionOut<'py> {
     clutter: Bound<'py, PyArray1<u32>>,
     labels: Option<Bound<'py, PyArray1<i32>>>,
     patches: Option<PatchesOut<'py>>,
+    relations: Vec<RelationOut<'py>>,
+    regularised: Option<RegularisedOut<'py>>,
     report: ReportOut,
 }
 
@@ -63,6 +67,7 @@ pub fn extract<'py>(
 struct Kept {
     network: Network,
     patches: Option<Patches>,
+    related: Related,
     classes: Vec<u8>,
     scores: Vec<f32>,
     clutter: Vec<u32>,
@@ -80,6 +85,7 @@ impl Kept {
             report: found.report,
             network: found.network,
             patches: found.patches,
+            related: found.related,
         }
     }
 }
@@ -91,12 +97,14 @@ fn labels(found: &Extraction) -> Vec<i32> {
 }
 
 fn out(py: Python<'_>, kept: Kept) -> PyResult<ExtractionOut<'_>> {
-    let Kept { network, patches, classes, scores, clutter, labels, report } = kept;
+    let Kept { network, patches, related, classes, scores, clutter, labels, report } = kept;
     Ok(ExtractionOut {
         network: network::out(py, &network)?,
         patches: patches.as_ref().map(|p| patches::out(py, p)),
         labels: labels.map(|labels| labels.into_pyarray(py)),
-        found: Py::new(py, Found { network, patches })?,
+        relations: curves::relations(py, &related.relations),
+        regularised: related.regularised.as_ref().map(|r| curves::moved(py, r)),
+        found: Py::new(py, Found { network, patches, related })?,
         classes: classes.into_pyarray(py),
         scores: scores.into_pyarray(py),
         clutter: clutter.into_pyarray(py),
@@ -155,6 +163,7 @@ impl Found {
     ) -> PyResult<()> {
         let (view, millimetres, unit) = drawing;
         let context = provenance.context(self.patches.clone(), &view, millimetres, unit.as_deref())?;
+        let context = NetworkContext { related: self.related.clone(), ..context };
         if is_page(&path) {
             return self.write_page(py, &path, scan, &context, marks);
         }
@@ -173,6 +182,7 @@ impl Found {
         unit: Option<String>,
     ) -> PyResult<()> {
         let context = provenance.context(self.patches.clone(), "auto", None, unit.as_deref())?;
+        let context = NetworkContext { related: self.related.clone(), ..context };
         let (py, las, inputs) = (labels.py(), scan.las.clone(), scan.files.clone());
         if is_page(&path) {
             return self.write_page(py, &path, scan, &context, (classes, Some(labels)));

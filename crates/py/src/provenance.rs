@@ -61,6 +61,7 @@ impl Provenance {
             step: Default::default(),
             first_schema: false,
             patches,
+            related: Default::default(),
         })
     }
 

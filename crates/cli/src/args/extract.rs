@@ -53,6 +53,10 @@ pub struct Extract {
     /// missing data, and of openings as small
     #[arg(long, help_heading = "Choosing lines", value_name = "LENGTH", value_parser = parse::length)]
     pub min_hole: Option<f64>,
+    /// Move curves and nodes, within what the noise allows, so that lines are exactly parallel or at right angles, radii equal, and so on
+    /// where they are that likely (as --set relations.regularise=true)
+    #[arg(long)]
+    pub regularise: bool,
     /// Viewpoint of drawings (SVG): auto, top, bottom, front, back, left, right, iso, or X,Y,Z
     #[arg(long, default_value = "auto", allow_hyphen_values = true)]
     pub view: String,

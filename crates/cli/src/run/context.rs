@@ -21,6 +21,7 @@ pub fn context(input: &Input, params: &Params, found: &Extraction) -> NetworkCon
         crs: input.reference(),
         crs_wkt: input.las.as_ref().and_then(LasFrame::wkt),
         patches: found.patches.clone(),
+        related: found.related.clone(),
         ..NetworkContext::default()
     }
 }

@@ -7,6 +7,7 @@ mod free;
 mod join;
 mod merge;
 pub(crate) mod noise;
+mod observed;
 mod piece;
 mod refine;
 mod rejoin;
@@ -16,6 +17,7 @@ mod sigma;
 pub(crate) use free::Free;
 pub(crate) use merge::spline;
 pub(crate) use noise::Noise;
+pub(crate) use observed::Observed;
 pub use piece::{Piece, Shape, Sigma};
 pub(crate) use rejoin::rejoin;
 

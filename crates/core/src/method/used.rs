@@ -8,8 +8,8 @@ use crate::recover::span_spacings;
 use crate::resolution::Resolution;
 
 /// The sections that every method reads, and those of its own.
-const SHARED: [&str; 8] =
-    ["neighbors", "surface", "penalty", "spanning", "repair", "recover", "spline", "patches"];
+const SHARED: [&str; 9] =
+    ["neighbors", "surface", "penalty", "spanning", "repair", "recover", "spline", "relations", "patches"];
 
 /// Each parameter that the method reads with the value it had, as [`Params::set`] reads it: set to these, the same cloud gives the
 /// same result. Left out are parameters left to the data that have no one value: those that follow the noise at each place of an

@@ -16,6 +16,7 @@ use crate::network::{Network, Strip, StripKind};
 use crate::parallel;
 use crate::surface::Scales;
 pub(super) use fitted::Fitted;
+pub(super) use gather::near;
 pub(super) use lengths::Lengths;
 pub(super) use profile::Profile;
 pub(super) use solve::fit;
@@ -70,7 +71,7 @@ fn one(strip: &Strip, near: &[[f64; 3]], lengths: Lengths) -> Option<Vec<Piece>>
 }
 
 /// The edge along a piece, fitted to the points beside it; `None` where they do not show two faces.
-fn of_piece(piece: &Piece, near: &[[f64; 3]], lengths: Lengths) -> Option<Fitted> {
+pub(super) fn of_piece(piece: &Piece, near: &[[f64; 3]], lengths: Lengths) -> Option<Fitted> {
     let sweep = Sweep::of(piece)?;
     let (from, to) = sweep.range(piece);
     let whole = matches!(piece.shape, Shape::Circle(_));

@@ -6,10 +6,11 @@ use crate::math::vec3::scale;
 use crate::network::{Network, Strip};
 
 /// The network with positions in the world frame and sources as indices of the input; and whether each strip stays, as rounding
-/// far from the origin can be too coarse for a short line.
-pub fn to_world(mut network: Network, frame: &Frame, source: &[u32]) -> (Network, Vec<bool>) {
+/// far from the origin can be too coarse for a short line. An `exact` network is not rounded to the grid of results: relations hold
+/// in it.
+pub fn to_world(mut network: Network, frame: &Frame, source: &[u32], exact: bool) -> (Network, Vec<bool>) {
     let unit = frame.length_to_world(1.0);
-    let placed = |p: [f64; 3]| frame.to_world(p.map(on_grid));
+    let placed = |p: [f64; 3]| frame.to_world(if exact { p } else { p.map(on_grid) });
     for node in &mut network.nodes {
         node.position = placed(node.position);
         node.sigma = node.sigma.map(|s| scale(s, unit));

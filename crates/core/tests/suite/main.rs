@@ -9,6 +9,7 @@ mod naming;
 mod narrow_faces;
 mod projection;
 mod recovery;
+mod relations;
 mod scales;
 mod scanned;
 mod section_axis;

@@ -12,6 +12,7 @@ mod obj;
 pub(super) mod patch;
 mod piece;
 mod ply;
+mod relation;
 pub(super) mod step;
 mod svg;
 mod vtp;

@@ -7,7 +7,7 @@ use crate::network::Strip;
 const HOPS: usize = 4;
 
 /// The points up to [`HOPS`] from the sources of a strip, ascending.
-pub(super) fn near(strip: &Strip, graph: &Neighbors, scratch: &mut Scratch) -> Vec<u32> {
+pub(in crate::recover) fn near(strip: &Strip, graph: &Neighbors, scratch: &mut Scratch) -> Vec<u32> {
     let mut near: Vec<u32> = Vec::new();
     for &source in &strip.sources {
         near.push(source);

@@ -82,6 +82,14 @@ impl Sweep {
         }
     }
 
+    /// Half the length of a line's stretch, the radius of a circle.
+    pub(in crate::recover) fn half(&self) -> f64 {
+        match self {
+            Sweep::Line { half, .. } => *half,
+            Sweep::Round { round, .. } => round.radius,
+        }
+    }
+
     /// The path without ends.
     pub(in crate::recover) fn free(&self) -> Free {
         match *self {

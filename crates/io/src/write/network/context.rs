@@ -3,7 +3,7 @@
 use crate::unit::Unit;
 use crate::write::encode::step::StepProtocol;
 use lineament::patch::Sides;
-use lineament::{Patches, Strip};
+use lineament::{Patches, Related, Strip};
 
 /// Provenance, settings and patches that a file states beside the network itself.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -40,6 +40,8 @@ pub struct NetworkContext {
     pub first_schema: bool,
     /// The patches between the strips, if they were looked for.
     pub patches: Option<Patches>,
+    /// The relations between the typed curves.
+    pub related: Related,
 }
 
 /// A parameter and its value.

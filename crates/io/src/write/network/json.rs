@@ -2,7 +2,7 @@
 //! `lineament-network/1`, which lacks the typed curves.
 
 use super::context::{self, NetworkContext, Parameter};
-use super::{patch, piece};
+use super::{patch, piece, relation};
 use crate::write::encode::json::{Head, Index, Number, Point, Text, Value, lines, list};
 use lineament::curve::BSpline;
 use lineament::patch::Sides;
@@ -36,15 +36,35 @@ pub(in crate::write) fn write(
     writeln!(out, "\"noise\": {},", Number(context.noise.unwrap_or(f64::NAN)))?;
     write!(out, "\"nodes\": [")?;
     let typed = !context.first_schema;
-    lines(out, &network.nodes, |out, id, n| node(out, id, n, typed))?;
+    let moved = context.related.regularised.as_ref().filter(|_| typed);
+    let of_node = |id: usize| moved.and_then(|m| m.nodes.get(id).copied());
+    lines(out, &network.nodes, |out, id, n| node(out, id, n, (typed, of_node(id))))?;
     write!(out, "],\n\"strips\": [")?;
-    lines(out, &network.strips, |out, id, s| strip(out, id, s, typed, context.sides(id)))?;
+    let of_strip = |id: usize| moved.and_then(|m| m.curves.get(id)).map_or(&[][..], Vec::as_slice);
+    lines(out, &network.strips, |out, id, s| strip(out, id, s, (typed, of_strip(id)), context.sides(id)))?;
     write!(out, "],\n\"patches\": [")?;
     lines(out, context.patches.as_ref().map_or(&[][..], |p| &p.patches), patch::patch)?;
-    writeln!(out, "]\n}}")
+    write!(out, "]")?;
+    if typed {
+        related(out, context)?;
+    }
+    writeln!(out, "\n}}")
 }
 
-fn node(out: &mut dyn Write, id: usize, node: &Node, known: bool) -> io::Result<()> {
+/// The relations, and what their imposition moved.
+fn related(out: &mut dyn Write, context: &NetworkContext) -> io::Result<()> {
+    write!(out, ",\n\"relations\": [")?;
+    lines(out, &context.related.relations, relation::relation)?;
+    write!(out, "]")?;
+    if let Some(moved) = &context.related.regularised {
+        write!(out, ",\n\"regularised\": ")?;
+        relation::regularised(out, moved)?;
+    }
+    Ok(())
+}
+
+/// `known` says whether the schema has standard deviations; `moved` is how far relations moved the node.
+fn node(out: &mut dyn Write, id: usize, node: &Node, (known, moved): (bool, Option<f64>)) -> io::Result<()> {
     let Node { position, kind, degree, source, sigma } = node;
     write!(
         out,
@@ -55,6 +75,9 @@ fn node(out: &mut dyn Write, id: usize, node: &Node, known: bool) -> io::Result<
     if let Some(sigma) = sigma.filter(|_| known) {
         write!(out, ", \"sigma\": {}", Point(&sigma))?;
     }
+    if let Some(moved) = moved {
+        write!(out, ", \"moved\": {}", Number(moved))?;
+    }
     write!(out, "}}")
 }
 
@@ -62,7 +85,7 @@ fn strip(
     out: &mut dyn Write,
     id: usize,
     strip: &Strip,
-    typed: bool,
+    (typed, moved): (bool, &[f64]),
     sides: Option<&Sides>,
 ) -> io::Result<()> {
     let closed = strip.closed;
@@ -76,7 +99,7 @@ fn strip(
     curve(out, &strip.curve)?;
     if typed {
         write!(out, ", \"curves\": [")?;
-        list(out, &strip.curves, |out, _, p| piece::piece(out, p))?;
+        list(out, &strip.curves, |out, k, p| piece::piece(out, p, moved.get(k).copied()))?;
         write!(out, "]")?;
     }
     if typed && !strip.sigma.is_empty() {

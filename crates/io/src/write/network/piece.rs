@@ -5,8 +5,8 @@ use lineament::curve::pieces::{Piece, Shape, Sigma};
 use lineament::curve::{BSpline, Round};
 use std::io::{self, Write};
 
-/// Type, range, ends, parameters and how well they are known.
-pub(super) fn piece(out: &mut dyn Write, piece: &Piece) -> io::Result<()> {
+/// Type, range, ends, parameters, how well they are known, and how far relations moved it.
+pub(super) fn piece(out: &mut dyn Write, piece: &Piece, moved: Option<f64>) -> io::Result<()> {
     let Piece { shape, from, to, first, last, deviation, sigma } = piece;
     write!(out, "{{\"type\": \"{}\", \"range\": [{first}, {last}], ", shape.name())?;
     write!(out, "\"from\": {}, \"to\": {}", Point(from), Point(to))?;
@@ -22,6 +22,9 @@ pub(super) fn piece(out: &mut dyn Write, piece: &Piece) -> io::Result<()> {
     write!(out, ", \"deviation\": {}", Number(*deviation))?;
     if let Some(known) = sigma {
         deviations(out, known)?;
+    }
+    if let Some(moved) = moved {
+        write!(out, ", \"moved\": {}", Number(moved))?;
     }
     write!(out, "}}")
 }

@@ -2,8 +2,9 @@
 
 use super::{context, floats, written};
 use crate::common::network;
+use lineament::relation::{Member, Regularised, Related, Relation, RelationKind};
 use lineament_io::{NetworkContext, NetworkFormat, write_network_to};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::path::Path;
 
 fn json() -> Value {
@@ -140,4 +141,62 @@ fn the_schema_page_names_every_key() {
     for key in all.iter().filter(|key| !key.contains('.')) {
         assert!(page.contains(&format!("`{key}`")), "{key}");
     }
+}
+
+fn related() -> Related {
+    let member = |strip| Member { strip, curve: 0 };
+    let relation = |kind, others: &[Member]| Relation {
+        kind,
+        members: vec![member(0), member(1)],
+        others: others.to_vec(),
+        likelihood: 0.96875,
+        deviation: 0.5,
+        direction: Some([0.0, 0.0, 1.0]),
+        point: None,
+        radius: Some(2.0),
+        imposed: true,
+    };
+    let nodes = (0..network().nodes.len()).map(|n| n as f64).collect();
+    let curves = network().strips.iter().map(|s| vec![0.25; s.curves.len()]).collect();
+    let released = vec![member(1)];
+    Related {
+        relations: vec![
+            relation(RelationKind::Perpendicular, &[member(2)]),
+            relation(RelationKind::EqualRadius, &[]),
+        ],
+        regularised: Some(Regularised { nodes, curves, released }),
+    }
+}
+
+#[test]
+fn relations_and_moves_stand_in_the_second_schema_alone() {
+    let related = related();
+    let of = |first_schema| -> Value {
+        let context = NetworkContext { related: related.clone(), first_schema, ..context() };
+        let mut bytes = Vec::new();
+        write_network_to(&mut bytes, NetworkFormat::Json, &network(), &context).unwrap();
+        serde_json::from_slice(&bytes).unwrap()
+    };
+    let (first, second) = (of(true), of(false));
+    let right = &second["relations"][0];
+    assert_eq!(right["type"], "perpendicular");
+    assert_eq!((&right["members"], &right["others"]), (&json!([[0, 0], [1, 0]]), &json!([[2, 0]])));
+    assert_eq!(right["deviation_deg"], 0.5_f64.to_degrees());
+    assert_eq!(right["direction"], json!([0.0, 0.0, 1.0]));
+    let radii = &second["relations"][1];
+    assert_eq!(
+        (&radii["deviation"], &radii["radius"], &radii["imposed"]),
+        (&json!(0.5), &json!(2.0), &json!(true))
+    );
+    assert!(radii.get("others").is_none() && radii.get("point").is_none());
+    assert_eq!(second["nodes"][1]["moved"], 1.0);
+    assert_eq!(second["strips"][0]["curves"][0]["moved"], 0.25);
+    assert_eq!(
+        second["regularised"],
+        json!({"greatest": network().nodes.len() as f64 - 1.0, "released": [[1, 0]]})
+    );
+    assert!(first.get("relations").is_none() && first["nodes"][0].get("moved").is_none());
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/schema-network-2.json");
+    let schema: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    conforms(&second, &schema, &schema, "network");
 }
