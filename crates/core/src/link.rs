@@ -8,6 +8,7 @@ pub(crate) mod clusters;
 mod lines;
 mod repair;
 mod spanning;
+mod triples;
 
 pub(crate) use lines::link;
 pub(crate) use spanning::{CycleRule, Metric};

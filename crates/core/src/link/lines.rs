@@ -3,6 +3,7 @@
 use super::chains::chains;
 use super::repair::{bridge, dock, repair};
 use super::spanning::{CycleRule, candidate_edges, minimum_spanning_graph, prune};
+use super::triples;
 use crate::measure::{Measure, Penalties};
 use crate::neighbors::Neighbors;
 use crate::network::StripKind;
@@ -40,6 +41,7 @@ pub(crate) fn link(
                 let strips = std::mem::take(&mut pattern.crease);
                 pattern.crease = chains(strips, &measure.edgelets, length, evidence, scales);
                 bridge(&mut pattern.crease, StripKind::Crease, scales, repair);
+                triples::gather(&mut pattern.crease, scales);
             }
             dock(&mut pattern, scales);
         }
