@@ -4,7 +4,6 @@ use super::chains::chains;
 use super::repair::{bridge, dock, repair};
 use super::spanning::{CycleRule, candidate_edges, minimum_spanning_graph, prune};
 use super::triples;
-
 use crate::measure::{Measure, Penalties};
 use crate::neighbors::Neighbors;
 use crate::network::StripKind;
