@@ -209,7 +209,7 @@ mod tests {
         let mut lines = LineGraph::default();
         let [x, _] = row(&mut lines, [3.5, 0.0, 0.0], [30.0, 0.0, 0.0]);
         let [y, _] = row(&mut lines, [aside, 1.0 + aside, 0.0], [0.0, 30.0, 0.0]);
-        let [z, _] = row(&mut lines, [aside, 1.0 + aside, 0.5], [0.0, 0.0, 30.0]);
+        let [z, _] = row(&mut lines, [aside, aside, 1.5], [0.0, 0.0, 30.0]);
         let between = lines.push_vertex(0, [2.0, 0.2, 0.0]);
         let other = lines.push_vertex(0, [2.0, 0.9, 0.0]);
         for (a, b) in [(x, between), (between, y), (x, other), (other, y), (y, z)] {
@@ -224,7 +224,7 @@ mod tests {
 
     #[test]
     fn three_straight_lines_meet_in_one_node() {
-        let mut lines = doubled(0.3);
+        let mut lines = doubled(0.15);
         gather(&mut lines, scales());
         let node = (0..lines.edges.len()).filter(|&v| lines.edges[v].len() > 2).collect::<Vec<_>>();
         assert_eq!(node.len(), 1);
