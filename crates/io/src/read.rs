@@ -192,6 +192,11 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Scan, Error> {
     if path.as_os_str() == "-" {
         return read_from(Box::new(std::io::stdin()), "standard input", options);
     }
+    decode(open(path, options.hash)?.0, options)
+}
+
+/// The source of a file, and its length where that is known.
+fn open(path: &Path, hash: bool) -> Result<(Source, Option<u64>), Error> {
     let name = path.display().to_string();
     let fail = |source| Error::Io { action: "open", name: name.clone(), source };
     let file = std::fs::File::open(path).map_err(fail)?;
@@ -200,7 +205,7 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Scan, Error> {
         return Err(fail(std::io::Error::from(std::io::ErrorKind::IsADirectory)));
     }
     let length = Some(meta.len()).filter(|&length| meta.is_file() && length > 0);
-    decode(Source::new(Box::new(file), name, length, options.hash).at(path), options)
+    Ok((Source::new(Box::new(file), name, length, hash).at(path), length))
 }
 
 /// Reads a point cloud from a stream. `name` stands for it in messages, and its extension may tell the format.

@@ -4,7 +4,7 @@
 //! of the normals, and fits the normals anew to points in tubes along it, so that they keep to their face however narrow it is. At
 //! seeds spread over the folds, `section` follows the field some spacings to either side and pools the points beside it in one
 //! plane across. There `links` and `pieces` cut them to smooth pieces, and `corners` takes the places where two pieces meet at an
-//! angle. `distinct` keeps the places that several cross-sections agree on.
+//! angle, `steps` the ends of parallel ones that face each other. `distinct` keeps the places that several cross-sections agree on.
 
 mod corners;
 mod distinct;

@@ -87,14 +87,7 @@ fn kind_of(name: &[u8]) -> LineKind {
 /// its format, such as points.
 pub fn read_lines(path: &Path, angle_deg: f64) -> Result<LineFile, Error> {
     let name = path.display().to_string();
-    let fail = |source| Error::Io { action: "open", name: name.clone(), source };
-    let file = std::fs::File::open(path).map_err(fail)?;
-    let meta = file.metadata().map_err(fail)?;
-    if meta.is_dir() {
-        return Err(fail(std::io::Error::from(std::io::ErrorKind::IsADirectory)));
-    }
-    let length = Some(meta.len()).filter(|&length| meta.is_file() && length > 0);
-    let mut source = Source::new(Box::new(file), name.clone(), length, false).at(path);
+    let (mut source, length) = super::open(path, false)?;
     let start = source.peek(1 << 16)?.to_vec();
     let text = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&start).trim_ascii_start();
     let format = detect::detect(&start, length, &name);

@@ -17,14 +17,7 @@ const BYTES: [&str; 2] = ["u8", "bin"];
 /// An input that cannot be opened, is empty, or breaks its format's rules.
 pub fn read_marks(path: &Path) -> Result<Vec<f64>, Error> {
     let name = path.display().to_string();
-    let fail = |source| Error::Io { action: "open", name: name.clone(), source };
-    let file = std::fs::File::open(path).map_err(fail)?;
-    let meta = file.metadata().map_err(fail)?;
-    if meta.is_dir() {
-        return Err(fail(std::io::Error::from(std::io::ErrorKind::IsADirectory)));
-    }
-    let length = Some(meta.len()).filter(|&length| meta.is_file() && length > 0);
-    let mut source = Source::new(Box::new(file), name.clone(), length, false).at(path);
+    let (mut source, _) = super::open(path, false)?;
     let start = source.peek(npy::MAGIC.len())?;
     if start.is_empty() {
         return Err(Error::Empty { name });
