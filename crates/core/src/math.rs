@@ -18,4 +18,4 @@ pub(crate) mod union_find;
 pub(crate) mod vec2;
 pub mod vec3;
 
-pub(crate) use systems::{banded, dense, least_squares, skyline, tridiagonal};
+pub(crate) use systems::{banded, degree, dense, least_squares, skyline, sparse, tridiagonal};

@@ -1,75 +1,46 @@
-//! An order of the unknowns in which their normal equations have a small skyline: blocks by the reverse Cuthill-McKee order (George and Liu
-//! 1981, Computer Solution of Large Sparse Positive Definite Systems, section 4.3), those that meet many others last.
+//! An order of the unknowns in which their normal equations stay sparse, and where these have entries.
 
 use super::row::Row;
-use std::collections::{BTreeSet, VecDeque};
+use crate::math::degree;
+use crate::math::sparse::Sparse;
+use std::collections::BTreeSet;
 
-/// Blocks that meet more others than this come last.
-const CROWD: usize = 24;
-
-/// The place of each unknown, and for each place the first column of its row.
-pub(super) fn order(blocks: &[(usize, usize)], count: usize, rows: &[Row]) -> (Vec<usize>, Vec<usize>) {
+/// The place of each unknown, and a matrix with room for the products of the rows, each a set of blocks that it meets.
+pub(super) fn order(blocks: &[(usize, usize)], count: usize, rows: &[Row]) -> (Vec<usize>, Sparse) {
     let mut block_of = vec![0; count];
     for (b, &(start, len)) in blocks.iter().enumerate() {
         block_of[start..start + len].fill(b);
     }
-    let mut near: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); blocks.len()];
-    let met: Vec<Vec<usize>> = rows
-        .iter()
-        .map(|row| row.terms.iter().map(|t| block_of[t.0]).collect::<BTreeSet<usize>>().into_iter().collect())
-        .collect();
-    for of_row in &met {
-        for &a in of_row {
-            near[a].extend(of_row.iter().filter(|&&b| b != a));
+    let mut met: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); blocks.len()];
+    let mut of_row = Vec::new();
+    for row in rows {
+        of_row.clear();
+        of_row.extend(row.terms.iter().map(|t| block_of[t.0]));
+        of_row.sort_unstable();
+        of_row.dedup();
+        for &a in &of_row {
+            met[a].extend(of_row.iter().filter(|&&b| b != a));
         }
     }
-    let late: Vec<bool> = near.iter().map(|n| n.len() > CROWD).collect();
-    let mut sequence = cuthill_mckee(&near, &late);
-    sequence.reverse();
-    sequence.extend((0..blocks.len()).filter(|&b| late[b]));
+    let near: Vec<Vec<usize>> = met.into_iter().map(|m| m.into_iter().collect()).collect();
+    let sizes: Vec<usize> = blocks.iter().map(|b| b.1).collect();
     let mut place = vec![0; count];
-    let mut next = 0;
-    for b in sequence {
+    let mut next = 0..;
+    for b in degree::order(&near, &sizes) {
         let (start, len) = blocks[b];
+        place[start..start + len].iter_mut().zip(&mut next).for_each(|(p, at)| *p = at);
+    }
+    let mut pattern = vec![Vec::new(); count];
+    for (b, near) in near.iter().enumerate() {
+        let (start, len) = blocks[b];
+        let first = place[start];
+        let earlier = near.iter().map(|&c| blocks[c]).filter(|c| place[c.0] < first);
+        let mut columns: Vec<usize> = earlier.flat_map(|(at, len)| place[at]..place[at] + len).collect();
+        columns.sort_unstable();
         for k in 0..len {
-            place[start + k] = next;
-            next += 1;
+            columns.push(first + k);
+            pattern[first + k].clone_from(&columns);
         }
     }
-    let mut first: Vec<usize> = (0..count).collect();
-    for of_row in &met {
-        let least = of_row.iter().map(|&b| place[blocks[b].0]).min().unwrap_or(0);
-        for &b in of_row {
-            for k in 0..blocks[b].1 {
-                let at = place[blocks[b].0 + k];
-                first[at] = first[at].min(least);
-            }
-        }
-    }
-    (place, first)
-}
-
-/// The blocks that are not late, component by component from the one with fewest neighbours, ever nearest first.
-fn cuthill_mckee(near: &[BTreeSet<usize>], late: &[bool]) -> Vec<usize> {
-    let mut starts: Vec<usize> = (0..near.len()).filter(|&b| !late[b]).collect();
-    starts.sort_by_key(|&b| (near[b].len(), b));
-    let mut seen = late.to_vec();
-    let mut sequence = Vec::new();
-    for start in starts {
-        if seen[start] {
-            continue;
-        }
-        seen[start] = true;
-        let mut queue = VecDeque::from([start]);
-        while let Some(b) = queue.pop_front() {
-            sequence.push(b);
-            let mut next: Vec<usize> = near[b].iter().copied().filter(|&n| !seen[n]).collect();
-            next.sort_by_key(|&n| (near[n].len(), n));
-            for n in next {
-                seen[n] = true;
-                queue.push_back(n);
-            }
-        }
-    }
-    sequence
+    (place, Sparse::zeros(&pattern))
 }

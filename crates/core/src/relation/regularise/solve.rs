@@ -4,7 +4,7 @@
 use super::order::order;
 use super::row::Row;
 use super::rows::System;
-use crate::math::skyline::Skyline;
+use crate::math::sparse::Sparse;
 
 /// Weight of a condition against that of the surest unknown.
 const STIFF: f64 = 1e4;
@@ -25,7 +25,7 @@ pub(super) fn solve(system: &System) -> Option<Vec<f64>> {
     let size = system.size();
     let (rows, conditions) = (system.observations(&x), system.conditions(&x));
     let all: Vec<Row> = rows.iter().chain(&conditions).cloned().collect();
-    let (place, first) = order(&system.layout.blocks, x.len(), &all);
+    let (place, mut matrix) = order(&system.layout.blocks, x.len(), &all);
     let mut multipliers = vec![0.0; conditions.len()];
     for _ in 0..STEPS {
         let (rows, conditions) = (system.observations(&x), system.conditions(&x));
@@ -34,8 +34,8 @@ pub(super) fn solve(system: &System) -> Option<Vec<f64>> {
         rows.iter().flat_map(|r| &r.terms).for_each(|t| diagonal[t.0] += t.1 * t.1);
         let surest = diagonal.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let stiff = STIFF * surest;
-        let mut matrix = Skyline::zeros(first.clone());
-        let mut right = vec![[0.0]; x.len()];
+        matrix.clear();
+        let mut right = vec![0.0; x.len()];
         rows.iter().for_each(|r| add(&mut matrix, &mut right, &place, r, 1.0, r.residual));
         for (c, m) in conditions.iter().zip(&multipliers) {
             add(&mut matrix, &mut right, &place, c, stiff, m + stiff * c.residual);
@@ -45,7 +45,7 @@ pub(super) fn solve(system: &System) -> Option<Vec<f64>> {
             return None;
         }
         matrix.solve(&mut right);
-        let step: Vec<f64> = place.iter().map(|&p| right[p][0]).collect();
+        let step: Vec<f64> = place.iter().map(|&p| right[p]).collect();
         for (c, m) in conditions.iter().zip(&mut multipliers) {
             let change: f64 = c.terms.iter().map(|t| t.1 * step[t.0]).sum();
             *m += stiff * (c.residual + change);
@@ -70,9 +70,9 @@ fn lacking(conditions: &[Row]) -> f64 {
 }
 
 /// Adds a row to the normal equations; `pull` is its weighted residual.
-fn add(matrix: &mut Skyline, right: &mut [[f64; 1]], place: &[usize], row: &Row, weight: f64, pull: f64) {
+fn add(matrix: &mut Sparse, right: &mut [f64], place: &[usize], row: &Row, weight: f64, pull: f64) {
     for (k, &(a, slope)) in row.terms.iter().enumerate() {
-        right[place[a]][0] -= slope * pull;
+        right[place[a]] -= slope * pull;
         matrix.add(place[a], place[a], weight * slope * slope);
         for &(b, other) in &row.terms[..k] {
             let both = if a == b { 2.0 } else { 1.0 };
