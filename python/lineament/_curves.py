@@ -1,4 +1,4 @@
-"""Curves of strips: B-splines, and lines, arcs and circles with how well they are known."""
+"""Curves of strips: B-splines, and lines, arcs, circles and ellipses with how well they are known."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy.typing as npt
 if TYPE_CHECKING:
     from lineament._lineament import RawCurve, RawTyped, Typed
 
-CurveKind: TypeAlias = Literal["line", "arc", "circle", "b-spline"]
+CurveKind: TypeAlias = Literal["line", "arc", "circle", "ellipse", "b-spline"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,13 +50,17 @@ class Curve:
     deviation: float
     """Root mean square distance of these points from it."""
     center: npt.NDArray[np.float64] | None
-    """``(3,)`` of an arc or circle."""
+    """``(3,)`` of an arc, circle or ellipse."""
     normal: npt.NDArray[np.float64] | None
-    """``(3,)`` unit vector of an arc, which runs counter-clockwise about it, or a circle."""
+    """``(3,)`` unit vector of an arc or ellipse, which run counter-clockwise about it, or a circle."""
     radius: float | None
     """Of an arc or circle."""
+    major: npt.NDArray[np.float64] | None
+    """``(3,)`` greater half axis of an ellipse, from the centre."""
+    minor: float | None
+    """Length of the lesser half axis of an ellipse."""
     sweep_deg: float | None
-    """Angle swept by an arc, degrees."""
+    """Angle swept by an arc, change of the parameter of an ellipse (360 of a whole one), degrees."""
     spline: BSpline | None
     """Of a B-spline."""
     offset_sigma: float | None
@@ -67,8 +71,11 @@ class Curve:
     """Standard deviation of the radius."""
     normal_sigma_deg: float | None
     """Standard deviation of the normal, degrees: the root of the sum of both squares."""
+    turn_sigma_deg: float | None
+    """Standard deviation of the turn of an ellipse in its plane, degrees."""
     covariance: npt.NDArray[np.float64] | None
-    """``(4, 4)`` covariance of centre and radius of an arc or circle: x, y, z, r."""
+    """``(4, 4)`` covariance of centre and radius of an arc or circle: x, y, z, r; ``(5, 5)`` of an ellipse: x, y, z, greater and lesser
+    half axis."""
     _typed: Typed = field(repr=False)
 
     def __repr__(self) -> str:

@@ -58,7 +58,7 @@ class RawCurve(TypedDict):
 @type_check_only
 class RawTyped(TypedDict):
     typed: Typed
-    kind: Literal["line", "arc", "circle", "b-spline"]
+    kind: Literal["line", "arc", "circle", "ellipse", "b-spline"]
     start: npt.NDArray[np.float64]
     end: npt.NDArray[np.float64]
     first: int
@@ -67,12 +67,15 @@ class RawTyped(TypedDict):
     center: npt.NDArray[np.float64] | None
     normal: npt.NDArray[np.float64] | None
     radius: float | None
+    major: npt.NDArray[np.float64] | None
+    minor: float | None
     sweep_deg: float | None
     spline: RawCurve | None
     offset_sigma: float | None
     direction_sigma_deg: float | None
     radius_sigma: float | None
     normal_sigma_deg: float | None
+    turn_sigma_deg: float | None
     covariance: npt.NDArray[np.float64] | None
 
 @type_check_only
@@ -210,12 +213,14 @@ class RenderOptions(TypedDict):
 
 @type_check_only
 class RawPiece(TypedDict):
-    kind: Literal["line", "arc", "circle", "spline"]
+    kind: Literal["line", "arc", "circle", "ellipse", "spline"]
     start: npt.NDArray[np.float64]
     end: npt.NDArray[np.float64]
     worst: float
     center: npt.NDArray[np.float64] | None
     radius: float | None
+    major: npt.NDArray[np.float64] | None
+    minor: float | None
     sweep_deg: float | None
     curve: RawCurve | None
 

@@ -52,7 +52,7 @@ class Strip:
     curve: BSpline | None
     """The fitted curve, from which ``points`` were taken; ``None`` for a polyline."""
     curves: list[Curve]
-    """The strip in pieces of a type, end to end: lines, arcs, circles and splines of least description length."""
+    """The strip in pieces of a type, end to end: lines, arcs, circles, ellipses and splines of least description length."""
     sources: npt.NDArray[np.uint32]
     """Points of the cloud along the strip, in order, as indices into the input."""
     length: float

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from lineament._keywords import SectionParameters
     from lineament._lineament import RawContour, RawPiece, RawSection
 
-PieceKind: TypeAlias = Literal["line", "arc", "circle", "spline"]
+PieceKind: TypeAlias = Literal["line", "arc", "circle", "ellipse", "spline"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,11 +41,15 @@ class Piece:
     worst: float
     """Greatest distance of a point of the contour from it, unit of the input."""
     center: npt.NDArray[np.float64] | None
-    """``(3,)`` of an arc or circle."""
+    """``(3,)`` of an arc, circle or ellipse."""
     radius: float | None
     """Of an arc or circle, unit of the input."""
+    major: npt.NDArray[np.float64] | None
+    """``(3,)`` greater half axis of an ellipse, from the centre."""
+    minor: float | None
+    """Length of the lesser half axis of an ellipse, unit of the input."""
     sweep_deg: float | None
-    """Angle swept by an arc, degrees, positive counter-clockwise seen against the axis."""
+    """Angle swept by an arc, change of the parameter of an ellipse (360 of a whole one), degrees, positive counter-clockwise seen against the axis."""
     curve: BSpline | None
     """Of a spline."""
 
@@ -75,7 +79,7 @@ class Contour:
     centroid: npt.NDArray[np.float64]
     """``(3,)`` of the enclosed area, of the line for an open contour."""
     pieces: list[Piece]
-    """The contour as lines, arcs, circles and splines, end to end; empty without ``fit``."""
+    """The contour as lines, arcs, circles, ellipses and splines, end to end; empty without ``fit``."""
 
     @property
     def polyline(self) -> npt.NDArray[np.float64]:

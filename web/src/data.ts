@@ -9,7 +9,7 @@ export interface Node {
 }
 
 export interface Curve {
-  type: "line" | "arc" | "circle" | "b-spline" | "spline";
+  type: "line" | "arc" | "circle" | "ellipse" | "b-spline" | "spline";
   from: Vec;
   to: Vec;
   center?: Vec;

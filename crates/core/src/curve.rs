@@ -2,8 +2,10 @@
 
 mod bspline;
 pub(crate) mod circle;
+pub(crate) mod ellipse;
 mod fit;
 mod fit_within;
+pub(crate) mod flat_ellipse;
 pub(crate) mod line;
 pub(crate) mod moments;
 pub mod pieces;
@@ -14,6 +16,7 @@ pub(crate) mod round;
 mod rows;
 
 pub use bspline::BSpline;
+pub use ellipse::Ellipse;
 pub(crate) use fit::{FitOptions, fit};
 pub(crate) use fit_within::fit_within;
 pub use round::Round;

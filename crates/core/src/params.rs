@@ -237,7 +237,7 @@ sections! {
         axis_share: f64 = 0.4, "", 0.0..=1.0;
         /// Mean distance up to which neighbouring sections are alike, for adaptive planes; auto: from the noise.
         alike_spacings: Auto<f64> = Auto::Auto, "spacings", 0.0..=100.0;
-        /// Whether lines, arcs, circles and splines are fitted to the contours, and the stack of slices is read.
+        /// Whether lines, arcs, circles, ellipses and splines are fitted to the contours, and the stack of slices is read.
         fit: bool = false, "", 0.0..=0.0;
         /// Greatest distance of a fitted curve from its contour; auto: from the spacing and the noise.
         tolerance: Auto<f64> = Auto::Auto, "unit of the input", ABOVE_0;

@@ -26,6 +26,13 @@ def along(curve, count=33):
         return spline(curve, share[:, 0])
     centre = np.array(curve.get("center", curve.get("centre")))
     normal = np.array(curve["normal"])
+    if "major" in curve:
+        sweep, major = math.radians(curve["sweep_deg"]), np.array(curve["major"])
+        minor = np.cross(normal, major) * curve["minor"] / np.linalg.norm(major)
+        local = start - centre
+        first = math.atan2(local @ minor / (minor @ minor), local @ major / (major @ major))
+        angle = first + share * sweep
+        return centre + np.cos(angle) * major + np.sin(angle) * minor
     first = np.array(start) - centre
     if curve["type"] == "circle":  # A network's has no first point on it.
         first = np.cross(normal, [1, 0, 0] if abs(normal[0]) < 0.9 else [0, 1, 0])
@@ -63,6 +70,9 @@ def drawn(ezdxf, entity):
         first, last = (0, 360) if kind == "CIRCLE" else (entity.dxf.start_angle, entity.dxf.end_angle)
         angles = first + share * ((last - first) % 360 or 360)
         return kind.lower(), np.array([tuple(v) for v in entity.vertices(angles)])
+    if kind == "ELLIPSE":
+        first, last = entity.dxf.start_param, entity.dxf.end_param
+        return "ellipse", np.array([tuple(v) for v in entity.vertices(first + share * (last - first))])
     if kind == "SPLINE":
         tool = entity.construction_tool()
         low, high = entity.knots[entity.dxf.degree], entity.knots[len(entity.control_points)]

@@ -87,12 +87,15 @@ pub struct TypedOut<'py> {
     center: Option<Bound<'py, PyArray1<f64>>>,
     normal: Option<Bound<'py, PyArray1<f64>>>,
     radius: Option<f64>,
+    major: Option<Bound<'py, PyArray1<f64>>>,
+    minor: Option<f64>,
     sweep_deg: Option<f64>,
     spline: Option<CurveOut<'py>>,
     offset_sigma: Option<f64>,
     direction_sigma_deg: Option<f64>,
     radius_sigma: Option<f64>,
     normal_sigma_deg: Option<f64>,
+    turn_sigma_deg: Option<f64>,
     covariance: Option<Bound<'py, PyArray2<f64>>>,
 }
 
@@ -106,12 +109,27 @@ fn one<'py>(py: Python<'py>, piece: &Piece) -> PyResult<TypedOut<'py>> {
         Shape::Line => (None, None, None),
         Shape::Arc { round, sweep } => (Some(round), Some(*sweep), None),
         Shape::Circle(round) => (Some(round), None, None),
+        Shape::Ellipse { sweep, .. } => (None, Some(*sweep), None),
         Shape::Spline(spline) => (None, None, curve(py, spline)?),
     };
+    let ellipse = match &piece.shape {
+        Shape::Ellipse { ellipse, .. } => Some(ellipse),
+        _ => None,
+    };
+    let place = round.map(|r| (r.centre, r.normal)).or(ellipse.map(|e| (e.centre, e.normal)));
     let (line, circle) = match piece.sigma {
         Some(Sigma::Line { offset, direction }) => (Some((offset, direction)), None),
         Some(Sigma::Round { radius, normal, covariance }) => (None, Some((radius, normal, covariance))),
-        None => (None, None),
+        Some(Sigma::Ellipse { .. }) | None => (None, None),
+    };
+    let oval = match piece.sigma {
+        Some(Sigma::Ellipse { turn, normal, covariance }) => Some((turn, normal, covariance)),
+        _ => None,
+    };
+    let covariance: Option<Vec<Vec<f64>>> = match (circle, oval) {
+        (Some((.., c)), _) => Some(c.iter().map(|row| row.to_vec()).collect()),
+        (_, Some((.., c))) => Some(c.iter().map(|row| row.to_vec()).collect()),
+        _ => None,
     };
     Ok(TypedOut {
         typed: Py::new(py, Typed(piece.clone()))?,
@@ -121,16 +139,19 @@ fn one<'py>(py: Python<'py>, piece: &Piece) -> PyResult<TypedOut<'py>> {
         first: piece.first,
         last: piece.last,
         deviation: piece.deviation,
-        center: round.map(|r| triple(py, r.centre)),
-        normal: round.map(|r| triple(py, r.normal)),
+        center: place.map(|p| triple(py, p.0)),
+        normal: place.map(|p| triple(py, p.1)),
         radius: round.map(|r| r.radius),
+        major: ellipse.map(|e| triple(py, e.major)),
+        minor: ellipse.map(|e| e.minor),
         sweep_deg: sweep.map(f64::to_degrees),
         spline,
         offset_sigma: line.map(|(offset, _)| offset),
         direction_sigma_deg: line.map(|(_, direction)| direction.to_degrees()),
         radius_sigma: circle.map(|(radius, ..)| radius),
-        normal_sigma_deg: circle.map(|(_, normal, _)| normal.to_degrees()),
-        covariance: circle.map(|(.., covariance)| table(py, covariance.to_vec())).transpose()?,
+        normal_sigma_deg: circle.map(|c| c.1).or(oval.map(|o| o.1)).map(f64::to_degrees),
+        turn_sigma_deg: oval.map(|o| o.0.to_degrees()),
+        covariance: covariance.map(|c| Ok::<_, PyErr>(PyArray2::from_vec2(py, &c)?)).transpose()?,
     })
 }
 

@@ -81,6 +81,8 @@ struct PieceOut<'py> {
     worst: f64,
     center: Option<Bound<'py, PyArray1<f64>>>,
     radius: Option<f64>,
+    major: Option<Bound<'py, PyArray1<f64>>>,
+    minor: Option<f64>,
     sweep_deg: Option<f64>,
     curve: Option<CurveOut<'py>>,
 }
@@ -151,9 +153,16 @@ fn piece<'py>(py: Python<'py>, piece: &CurvePiece) -> PyResult<PieceOut<'py>> {
             (Some(*centre), Some(*radius), Some(*sweep_deg), None)
         }
         CurveShape::Circle { centre, radius } => (Some(*centre), Some(*radius), None, None),
+        CurveShape::Ellipse { ellipse, sweep_deg } => (Some(ellipse.centre), None, Some(*sweep_deg), None),
         CurveShape::Spline(spline) => (None, None, None, curve(py, spline)?),
     };
+    let ellipse = match &piece.shape {
+        CurveShape::Ellipse { ellipse, .. } => Some(ellipse),
+        _ => None,
+    };
     Ok(PieceOut {
+        major: ellipse.map(|e| triple(py, e.major)),
+        minor: ellipse.map(|e| e.minor),
         kind: piece.shape.name(),
         start: triple(py, piece.from),
         end: triple(py, piece.to),

@@ -26,7 +26,7 @@ How a slice is drawn:
   hull and voronoi draw polylines with few vertices. Closed curves are solid (counter-clockwise) or holes.
 
 With --fit:
-  Each curve is described by lines, arcs, circles and splines within --tolerance, and the stack of slices is read:
+  Each curve is described by lines, arcs, circles, ellipses and splines within --tolerance, and the stack of slices is read:
   extrusions, holes, tapers, revolutions, mirror planes and repeated outlines, each with its range and error. A run
   needs two slices or more (revolutions four): cut several through the thinnest feature that matters.
 
@@ -113,7 +113,7 @@ pub struct Slicing {
     /// Project points straight onto the plane instead of carrying them along the surface
     #[arg(long)]
     pub no_carry: bool,
-    /// Fit lines, arcs, circles and splines, and name the features of the stack of slices
+    /// Fit lines, arcs, circles, ellipses and splines, and name the features of the stack of slices
     #[arg(long)]
     pub fit: bool,
     /// Greatest distance of a fitted curve from its contour, in the unit of the input; implies --fit [default: auto]

@@ -106,6 +106,11 @@ fn samples(piece: &Piece, step: f64) -> Vec<[f64; 3]> {
             };
             (0..=n).map(at).collect()
         }
+        Shape::Ellipse { ellipse, sweep } => {
+            let first = ellipse.angle(piece.from);
+            let n = many(sweep * norm(ellipse.major));
+            (0..=n).map(|k| ellipse.at(first + sweep * k as f64 / n as f64)).collect()
+        }
         Shape::Spline(curve) => {
             let (from, to) = curve.domain();
             let n = many(to - from);

@@ -27,7 +27,7 @@ pub fn judge(part: &Part, sections: &Sections, (c, s): (f64, f64)) -> Verdict {
     let kinds: Vec<String> = contours.iter().map(kinds).collect();
     let kinds = kinds.join(" ");
     if part.aslant {
-        return Verdict { exact: kinds == "e" || kinds == "s", kinds, offs: Vec::new(), ends: Vec::new() };
+        return Verdict { exact: kinds == "e", kinds, offs: Vec::new(), ends: Vec::new() };
     }
     let back = |p: [f64; 3]| [c * p[0] + s * p[1], c * p[1] - s * p[0]];
     let (mut offs, mut open) = (Vec::new(), Vec::new());

@@ -121,6 +121,7 @@ fn curves(strip: &Strip) -> Vec<TypedCurve> {
         let (kind, radius) = match &piece.shape {
             Shape::Line => (CurveKind::Line, None),
             Shape::Arc { round, .. } | Shape::Circle(round) => (CurveKind::Circle, Some(round.radius)),
+            Shape::Ellipse { .. } => (CurveKind::Ellipse, None),
             Shape::Spline(_) => (CurveKind::Spline, None),
         };
         TypedCurve { kind, radius, points: stretch(&strip.points, piece.first, piece.last) }

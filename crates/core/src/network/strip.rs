@@ -20,7 +20,7 @@ pub struct Strip {
     pub points: Vec<[f64; 3]>,
     /// The fitted curve, from which `points` were taken.
     pub curve: BSpline,
-    /// The line as lines, arcs, circles and splines end to end, their ranges as indices of `points`; empty where none were sought.
+    /// The line as lines, arcs, circles, ellipses and splines end to end, their ranges as indices of `points`; empty where none were sought.
     pub curves: Vec<Piece>,
     /// Points of the cloud along the strip, in order, as indices into the input.
     pub sources: Vec<u32>,

@@ -19,7 +19,7 @@ pub(crate) fn observe(
     parallel::map_with(strips.len(), parallel::TASK, |scratch: &mut Scratch, s| {
         let strip = &strips[s];
         let has_faces = strip.kind == StripKind::Crease
-            && strip.curves.iter().any(|p| !matches!(p.shape, Shape::Spline(_)));
+            && strip.curves.iter().any(|p| !matches!(p.shape, Shape::Ellipse { .. } | Shape::Spline(_)));
         let beside = if has_faces { near(strip, graph, scratch) } else { Vec::new() };
         let beside: Vec<[f64; 3]> = beside.iter().map(|&i| points[i as usize]).collect();
         let lengths = Lengths::of(scales.finest(&strip.sources));

@@ -1,4 +1,4 @@
-//! Contours as a draughtsman would draw them: lines, arcs, circles and splines end to end.
+//! Contours as a draughtsman would draw them: lines, arcs, circles, ellipses and splines end to end.
 //!
 //! `data` takes the samples of the contour together and finds their error; `breaks` finds the pieces of least description length by dynamic
 //! programming; `touch` makes neighbours tangent unless the data contradict, by `tangent`; `joined` lets the others cross; `bound` sees to
@@ -15,11 +15,12 @@ mod touch;
 
 pub(crate) use data::Datum;
 
-use crate::curve::BSpline;
 use crate::curve::circle::Circle;
+use crate::curve::flat_ellipse::FlatEllipse;
 use crate::curve::pieces::Noise;
 use crate::curve::pieces::noise::{Kind, Span};
-use crate::math::vec2::distance;
+use crate::curve::{BSpline, Ellipse};
+use crate::math::vec2::{distance, unit};
 use crate::section::contour::chain::{Chain, Vertex};
 use data::Blocks;
 use primitive::Primitive;
@@ -34,6 +35,8 @@ pub(crate) enum Shape {
     Arc { centre: [f64; 2], radius: f64, sweep: f64 },
     /// A whole circle.
     Circle { centre: [f64; 2], radius: f64 },
+    /// An ellipse or part of one; `sweep` is the change of its parameter in radians, positive counter-clockwise.
+    Ellipse { ellipse: FlatEllipse, sweep: f64 },
     /// A curve of neither kind.
     Free(BSpline<2>),
 }
@@ -86,15 +89,11 @@ pub(crate) fn fit(chain: &Chain, data: &[Datum], tolerance: Option<f64>) -> Vec<
     }
     let limit = tolerance.unwrap_or(FREE_BOUND.0 * spacing + FREE_BOUND.1 * noise.sigma);
     if chain.closed
-        && let Some(circle) = circle(&blocks, &spans, &noise)
-    {
-        let at = circle.foot(vertices[0].at);
-        let worst = vertices.iter().map(|v| circle.off(v.at)).fold(0.0, f64::max);
+        && let Some(piece) = whole(&blocks, &spans, &noise, vertices)
         // Where no tolerance is given, one vertex aside does not break a circle.
-        if worst <= tolerance.unwrap_or(ASIDE * limit) {
-            let shape = Shape::Circle { centre: circle.centre, radius: circle.radius };
-            return vec![Piece { shape, from: at, to: at, worst }];
-        }
+        && piece.worst <= tolerance.unwrap_or(ASIDE * limit)
+    {
+        return vec![piece];
     }
     if let ([Span { kind: Kind::Arc | Kind::Line, .. }], true) = (&spans[..], chain.closed) {
         return bound::ring(vertices, limit);
@@ -135,19 +134,53 @@ fn ring(mut blocks: Blocks, noise: &Noise, spacing: f64, corners: &[f64]) -> (Bl
     (blocks, spans)
 }
 
-/// The circle that describes a ring in no more numbers than its pieces.
-fn circle(blocks: &Blocks, spans: &[Span], noise: &Noise) -> Option<Circle> {
+/// A ring as one circle or ellipse, where that takes no more numbers than its pieces.
+fn whole(blocks: &Blocks, spans: &[Span], noise: &Noise, vertices: &[Vertex]) -> Option<Piece> {
+    let means: Vec<[f64; 2]> = blocks.sums.iter().chain(&blocks.sums[..1]).map(|s| s.mean()).collect();
+    let round = circle(blocks, spans, noise, &means);
+    let limit = round.map_or_else(|| breaks::costs(blocks, noise, spans), |r| r.1);
+    let lifted: Vec<[f64; 3]> = means.iter().map(|&[x, y]| [x, y, 0.0]).collect();
+    let ellipse = breaks::oval(blocks, noise, 0, blocks.data.len(), limit);
+    if let Some((ellipse, turned)) = ellipse.map(|(e, _)| (e, e.sweep(&lifted)))
+        && turned.abs() > ROUND * std::f64::consts::TAU
+    {
+        let shape = Shape::of_ellipse(&ellipse, std::f64::consts::TAU.copysign(turned));
+        let Shape::Ellipse { ellipse, .. } = shape else { return None };
+        let off = |v: &Vertex| distance(ellipse.foot(v.at), v.at);
+        let (at, worst) = (ellipse.foot(vertices[0].at), vertices.iter().map(off).fold(0.0, f64::max));
+        return Some(Piece { shape, from: at, to: at, worst });
+    }
+    let circle = round?.0;
+    let at = circle.foot(vertices[0].at);
+    let worst = vertices.iter().map(|v| circle.off(v.at)).fold(0.0, f64::max);
+    let shape = Shape::Circle { centre: circle.centre, radius: circle.radius };
+    Some(Piece { shape, from: at, to: at, worst })
+}
+
+/// The circle that describes a ring, whose blocks have these means, in no more numbers than its pieces, and its description length.
+fn circle(blocks: &Blocks, spans: &[Span], noise: &Noise, means: &[[f64; 2]]) -> Option<(Circle, f64)> {
     let points: Vec<[f64; 2]> = blocks.data.iter().map(|d| d.at).collect();
     let curve = Primitive::Arc { circle: Circle::fit(&points)?, left: true };
     let fitted = settled(Fitted { curve, data: &blocks.data }, noise.sigma);
     let Primitive::Arc { circle, .. } = fitted.curve else { return None };
-    let means: Vec<[f64; 2]> = blocks.sums.iter().chain(&blocks.sums[..1]).map(|s| s.mean()).collect();
-    let turned = primitive::sweep(&circle, &means).abs() / std::f64::consts::TAU;
+    let turned = primitive::sweep(&circle, means).abs() / std::f64::consts::TAU;
     let own = noise.cost(noise.parameters(Kind::Arc), fitted.squares());
     let pieces = breaks::costs(blocks, noise, spans) + ROUND_COST;
     // One arc all the way round is the circle, whatever Taubin's squares say.
     let one = matches!(spans, [Span { kind: Kind::Arc, .. }]);
-    (blocks.sums.len() >= ROUND_BLOCKS && turned > ROUND && (one || own <= pieces)).then_some(circle)
+    let found = blocks.sums.len() >= ROUND_BLOCKS && turned > ROUND && (one || own <= pieces);
+    found.then_some((circle, own))
+}
+
+impl Shape {
+    /// An ellipse in the plane of the first two axes, gone along as its normal tells.
+    fn of_ellipse(ellipse: &Ellipse, sweep: f64) -> Self {
+        let [x, y, _] = ellipse.centre;
+        let [u, v, _] = ellipse.major;
+        let way = unit([u, v]);
+        let flat = FlatEllipse { centre: [x, y], axes: [u.hypot(v), ellipse.minor], way };
+        Shape::Ellipse { ellipse: flat, sweep: sweep * ellipse.normal[2].signum() }
+    }
 }
 
 /// The length along the polyline to each vertex.

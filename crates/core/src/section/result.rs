@@ -4,7 +4,7 @@ use super::contour::chain::Chain;
 use super::curves::{self, Datum, Piece, Shape, nest};
 use super::frame::SliceFrame;
 use super::outline::Drawn;
-use crate::curve::{BSpline, polygon};
+use crate::curve::{BSpline, Ellipse, polygon};
 use crate::math::vec2::distance;
 use crate::params::Auto;
 use crate::params::section::Zero;
@@ -94,7 +94,7 @@ pub struct Contour {
     pub steepest_deg: f64,
     /// Centroid of the enclosed area, of the line for an open contour; world frame.
     pub centroid: [f64; 3],
-    /// The contour as lines, arcs, circles and splines, end to end; empty unless asked for.
+    /// The contour as lines, arcs, circles, ellipses and splines, end to end; empty unless asked for.
     pub pieces: Vec<CurvePiece>,
 }
 
@@ -134,17 +134,25 @@ pub enum CurveShape {
         /// World unit.
         radius: f64,
     },
+    /// An ellipse, or part of one.
+    Ellipse {
+        /// World frame, its normal the axis of the sections.
+        ellipse: Ellipse,
+        /// Change of its parameter, degrees, positive counter-clockwise seen against the axis; a full turn of a whole one.
+        sweep_deg: f64,
+    },
     /// A cubic B-spline.
     Spline(BSpline),
 }
 
 impl CurveShape {
-    /// The name in files: `line`, `arc`, `circle` or `spline`.
+    /// The name in files: `line`, `arc`, `circle`, `ellipse` or `spline`.
     pub fn name(&self) -> &'static str {
         match self {
             CurveShape::Line => "line",
             CurveShape::Arc { .. } => "arc",
             CurveShape::Circle { .. } => "circle",
+            CurveShape::Ellipse { .. } => "ellipse",
             CurveShape::Spline(_) => "spline",
         }
     }
@@ -233,6 +241,9 @@ fn piece(piece: Piece) -> CurvePiece {
             CurveShape::Arc { centre: lift(centre), radius, sweep_deg: sweep.to_degrees() }
         }
         Shape::Circle { centre, radius } => CurveShape::Circle { centre: lift(centre), radius },
+        Shape::Ellipse { ellipse, sweep } => {
+            CurveShape::Ellipse { ellipse: Ellipse::of_plane(&ellipse, lift), sweep_deg: sweep.to_degrees() }
+        }
         Shape::Free(spline) => CurveShape::Spline(spline.mapped(lift, 1.0)),
     };
     CurvePiece { shape, from: lift(piece.from), to: lift(piece.to), worst: piece.worst }
@@ -241,7 +252,8 @@ fn piece(piece: Piece) -> CurvePiece {
 impl Contour {
     /// Brings a contour from the slice frame to the world.
     pub(crate) fn place(&mut self, to_world: &impl Fn([f64; 2]) -> [f64; 3], scale: f64) {
-        let move_to = |p: &mut [f64; 3]| *p = to_world([p[0], p[1]]);
+        let move_place = |p: [f64; 3]| to_world([p[0], p[1]]);
+        let move_to = |p: &mut [f64; 3]| *p = move_place(*p);
         self.points.iter_mut().for_each(move_to);
         move_to(&mut self.centroid);
         self.area *= scale * scale;
@@ -256,6 +268,7 @@ impl Contour {
                     move_to(centre);
                     *radius *= scale;
                 }
+                CurveShape::Ellipse { ellipse, .. } => *ellipse = ellipse.carried(move_place),
                 CurveShape::Spline(spline) => {
                     spline.controls.iter_mut().for_each(move_to);
                     spline.knots.iter_mut().for_each(|k| *k *= scale);

@@ -62,6 +62,11 @@ fn place_piece(piece: &mut Piece, scale: f64, place: impl Fn([f64; 3]) -> [f64; 
         Shape::Arc { round, .. } | Shape::Circle(round) => {
             (round.centre, round.radius) = (place(round.centre), round.radius * scale);
         }
+        Shape::Ellipse { ellipse, .. } => {
+            ellipse.centre = place(ellipse.centre);
+            ellipse.major.iter_mut().for_each(|x| *x *= scale);
+            ellipse.minor *= scale;
+        }
         Shape::Spline(curve) => {
             curve.controls.iter_mut().for_each(|p| *p = place(*p));
             curve.knots.iter_mut().for_each(|t| *t *= scale);
@@ -72,6 +77,9 @@ fn place_piece(piece: &mut Piece, scale: f64, place: impl Fn([f64; 3]) -> [f64; 
         Some(Sigma::Line { offset, .. }) => *offset *= scale,
         Some(Sigma::Round { radius, covariance, .. }) => {
             *radius *= scale;
+            covariance.iter_mut().flatten().for_each(|c| *c *= scale * scale);
+        }
+        Some(Sigma::Ellipse { covariance, .. }) => {
             covariance.iter_mut().flatten().for_each(|c| *c *= scale * scale);
         }
     }

@@ -72,7 +72,7 @@ pub enum NetworkFormat {
     Obj,
     /// Vertices and edges, binary.
     Ply,
-    /// Lines, arcs, circles and splines, release 2000.
+    /// Lines, arcs, circles, ellipses and splines, release 2000.
     Dxf,
     /// A wireframe of lines, circles and splines (ISO 10303-21).
     Step,
@@ -124,7 +124,7 @@ pub enum PointFormat {
 pub enum PatchFormat {
     /// The schema `lineament-network/2` with loops, sides and surfaces.
     Json,
-    /// The loops as lines, arcs, circles and splines, a layer for each patch.
+    /// The loops as lines, arcs, circles, ellipses and splines, a layer for each patch.
     Dxf,
     /// The patches as trimmed faces, sewn where they share edges (ISO 10303-21).
     Step,
@@ -144,7 +144,7 @@ pub enum SectionFormat {
     Obj,
     /// Vertices and edges, binary.
     Ply,
-    /// Polylines of lines and arcs, circles and splines, release 2000, a layer for each slice; names of the runs as texts.
+    /// Polylines of lines and arcs, circles, ellipses and splines, release 2000, a layer for each slice; names of the runs as texts.
     Dxf,
     /// A sheet with all slices side by side, in millimetres.
     Svg,

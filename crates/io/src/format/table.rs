@@ -73,7 +73,7 @@ pub const FORMATS: &[FileFormat] = &[
     FileFormat {
         network: Some((
             NetworkFormat::Dxf,
-            "lines, arcs, circles, splines and points, a layer for each kind",
+            "lines, arcs, circles, ellipses, splines and points, a layer for each kind",
         )),
         patches: Some((PatchFormat::Dxf, "the loops as curves, a layer for each patch")),
         section: Some((

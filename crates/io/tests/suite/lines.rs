@@ -1,5 +1,8 @@
 //! Lines read back from what the writers write, and from what other programs write.
 
+use crate::common::network;
+use lineament::curve::Ellipse;
+use lineament::curve::pieces::{Piece, Shape};
 use lineament::evaluate::{CurveKind, LineKind, Lines, Scoring, score};
 use lineament::{extract, shapes};
 use lineament_io::{LineFile, NetworkContext, read_lines, write_network};
@@ -16,6 +19,46 @@ fn of(name: &str, text: &str) -> Result<LineFile, String> {
 fn lengths(lines: &Lines) -> f64 {
     let apart = |w: &[[f64; 3]]| (0..3).map(|k| (w[1][k] - w[0][k]).powi(2)).sum::<f64>().sqrt();
     lines.lines.iter().map(|l| l.points.windows(2).map(apart).sum::<f64>()).sum()
+}
+
+/// Part of an ellipse, tilted in space, and a whole one, are read back from every format of typed curves as they are.
+#[test]
+fn ellipses_are_the_same_in_json_dxf_and_step() {
+    let normal = [0.0, 0.6, 0.8];
+    let ellipse = Ellipse { centre: [5.0, -3.0, 2.0], normal, major: [0.0, 4.0, -3.0], minor: 2.0 };
+    let mut network = network();
+    network.strips.truncate(1);
+    let strip = &mut network.strips[0];
+    let last = strip.points.len() - 1;
+    let piece = |first: f64, sweep: f64| {
+        let [from, to] = [ellipse.at(first), ellipse.at(first + sweep)];
+        let shape = Shape::Ellipse { ellipse, sweep };
+        Piece { shape, from, to, first: 0, last, deviation: 0.0, sigma: None }
+    };
+    strip.curves = vec![piece(5.5, 2.5), piece(1.0, std::f64::consts::TAU)];
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["a.dxf", "a.step", "a.json"] {
+        let path = folder.path().join(name);
+        write_network(&path, &[], &network, &NetworkContext::default()).unwrap();
+        let read = read_lines(&path, 30.0).unwrap();
+        let curves: Vec<_> = read.lines.curves.iter().filter(|c| c.kind == CurveKind::Ellipse).collect();
+        assert_eq!(curves.len(), 2, "{name}");
+        if name == "a.json" {
+            continue;
+        }
+        for (curve, piece) in curves.iter().zip(&network.strips[0].curves) {
+            let apart = |a: [f64; 3], b: [f64; 3]| (0..3).map(|k| (a[k] - b[k]).abs()).fold(0.0, f64::max);
+            let Shape::Ellipse { sweep, .. } = piece.shape else { panic!() };
+            let count = curve.points.len();
+            // A whole one may begin anywhere.
+            let first = ellipse.angle(curve.points[0]);
+            for (k, &p) in curve.points.iter().enumerate() {
+                let wanted = ellipse.at(first + sweep * k as f64 / (count - 1) as f64);
+                assert!(apart(p, wanted) < 1e-9, "{name}: {p:?} for {wanted:?}");
+            }
+            assert!(sweep > 6.0 || apart(curve.points[0], piece.from) < 1e-9, "{name}");
+        }
+    }
 }
 
 #[test]

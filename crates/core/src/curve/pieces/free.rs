@@ -1,13 +1,14 @@
 //! A curve before it has ends, and the place where two of them meet.
 
 use super::piece::{Piece, Shape};
+use crate::curve::ellipse::Ellipse;
 use crate::curve::round::Round;
 use crate::math::vec3::{add_scaled, distance, dot, sub, unit};
 
 /// Rounds of feet from one curve to the other on the way to where they meet.
 const FEET: usize = 60;
 
-/// A line or circle without ends.
+/// A line, circle or ellipse without ends.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Free {
     /// Through a point in a unit direction.
@@ -19,7 +20,9 @@ pub(crate) enum Free {
     },
     /// A circle.
     Arc(Round),
-    /// Neither: it meets others where it ends.
+    /// An ellipse.
+    Ellipse(Ellipse),
+    /// None of them: it meets others where it ends.
     Other,
 }
 
@@ -29,6 +32,7 @@ impl Free {
         match &piece.shape {
             Shape::Line => Free::Line { at: piece.from, direction: unit(sub(piece.to, piece.from)) },
             Shape::Arc { round, .. } | Shape::Circle(round) => Free::Arc(*round),
+            Shape::Ellipse { ellipse, .. } => Free::Ellipse(*ellipse),
             Shape::Spline(_) => Free::Other,
         }
     }
@@ -38,6 +42,7 @@ impl Free {
         match self {
             Free::Line { at, direction } => add_scaled(*at, *direction, dot(sub(p, *at), *direction)),
             Free::Arc(round) => round.foot(p),
+            Free::Ellipse(ellipse) => ellipse.foot(p),
             Free::Other => p,
         }
     }

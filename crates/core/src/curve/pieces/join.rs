@@ -5,11 +5,14 @@ use super::merge::spline;
 use super::noise::{Kind, Noise, Span};
 use super::piece::{Piece, Shape};
 use super::sigma::sigma;
+use crate::curve::ellipse::Ellipse;
 use crate::curve::round::{Round, plane};
 use crate::math::vec3::{distance, distance2, sub, unit};
 
 /// Points left out at both ends of an arc's fit, where it has enough others.
 const ENDS: usize = 1;
+/// Weight of an end of an elliptic arc, which it has to lead through, against that of a point.
+const HOLD: f64 = 1e4;
 
 /// A span fitted by itself.
 fn free(points: &[[f64; 3]], kind: Kind) -> Free {
@@ -20,6 +23,9 @@ fn free(points: &[[f64; 3]], kind: Kind) -> Free {
             None => Free::Line { at: points[0], direction: unit(sub(points[points.len() - 1], points[0])) },
         },
         Kind::Arc => Round::fit(inner).map_or(Free::Other, Free::Arc),
+        Kind::Ellipse => {
+            Ellipse::fit(inner, &vec![1.0; inner.len()], f64::INFINITY).map_or(Free::Other, Free::Ellipse)
+        }
         Kind::Spline(_) => Free::Other,
     }
 }
@@ -67,9 +73,8 @@ fn through(points: &[[f64; 3]], span: &Span, free: &Free, noise: &Noise, [from, 
     (row[0], row[last]) = (from, to);
     let shape = match (free, span.kind) {
         (Free::Arc(round), _) => arc(round, &row).unwrap_or(Shape::Line),
-        (Free::Other, Kind::Spline(_)) => {
-            Shape::Spline(spline(&row, &vec![noise.share; row.len()], noise, false).0)
-        }
+        (Free::Ellipse(_), _) => ellipse(&row).unwrap_or_else(|| free_form(&row, noise)),
+        (Free::Other, Kind::Spline(_) | Kind::Ellipse) => free_form(&row, noise),
         _ => Shape::Line,
     };
     let mut piece =
@@ -78,6 +83,22 @@ fn through(points: &[[f64; 3]], span: &Span, free: &Free, noise: &Noise, [from, 
     piece.deviation = (squares / row.len() as f64).sqrt();
     piece.sigma = sigma(&piece, &row, noise);
     piece
+}
+
+fn free_form(row: &[[f64; 3]], noise: &Noise) -> Shape {
+    Shape::Spline(spline(row, &vec![noise.share; row.len()], noise, false).0)
+}
+
+/// The ellipse through the ends of the row, its normal such that it runs counter-clockwise.
+pub(crate) fn ellipse(row: &[[f64; 3]]) -> Option<Shape> {
+    let last = row.len() - 1;
+    let mut weights = vec![1.0; row.len()];
+    (weights[0], weights[last]) = (HOLD, HOLD);
+    let found = Ellipse::fit(row, &weights, f64::INFINITY)?.through(row[0], row[last])?;
+    let turned = found.sweep(row);
+    let found = if turned < 0.0 { found.turned() } else { found };
+    let sweep = found.sweep_between(row[0], row[last]);
+    ((sweep - turned.abs()).abs() < 1.0).then_some(Shape::Ellipse { ellipse: found, sweep })
 }
 
 /// The arc through the ends of the row, its normal such that it runs counter-clockwise.

@@ -2,6 +2,7 @@
 //! arcs that are a spline; and closed rows as one circle or spline.
 
 use super::noise::{Kind, Noise, Span};
+use super::oval::oval;
 use super::piece::{Piece, Shape};
 use super::sigma::sigma;
 use crate::curve::moments::Moments;
@@ -12,6 +13,8 @@ use crate::math::vec3::distance2;
 
 /// Most pieces that are put together at once.
 const LONGEST_RUN: usize = 6;
+/// Most pieces that an ellipse is put together of: its flat parts take few, its ends many.
+const LONGEST_OVAL: usize = 16;
 /// Weight of a spline's second differences against one point: enough to solve it.
 const CALM: f64 = 1e-4;
 /// Most spans of a spline.
@@ -25,10 +28,11 @@ pub(super) fn merge(points: &[[f64; 3]], weights: &[f64], noise: &Noise, spans: 
     best[0].0 = 0.0;
     for a in 0..n {
         let before = best[a].0;
-        for b in a + 1..=n.min(a + LONGEST_RUN) {
+        for b in a + 1..=n.min(a + LONGEST_OVAL) {
+            let parts = own[a..b].iter().sum();
             let (cost, kind) = match b {
                 _ if b == a + 1 => (own[a], spans[a].kind),
-                _ => run(points, weights, noise, &spans[a..b]),
+                _ => run(points, weights, noise, &spans[a..b], parts),
             };
             if before + cost < best[b].0 {
                 best[b] = (before + cost, a, kind);
@@ -45,12 +49,17 @@ pub(super) fn merge(points: &[[f64; 3]], weights: &[f64], noise: &Noise, spans: 
     merged
 }
 
-/// The shortest description of a run of spans by one curve.
-fn run(points: &[[f64; 3]], weights: &[f64], noise: &Noise, spans: &[Span]) -> (f64, Kind) {
+/// The shortest description of a run of spans by one curve; `parts` is that by the spans themselves.
+fn run(points: &[[f64; 3]], weights: &[f64], noise: &Noise, spans: &[Span], parts: f64) -> (f64, Kind) {
     let (first, last) = (spans[0].first, spans[spans.len() - 1].last);
     let one = |kind| (span_cost(points, weights, noise, &Span { first, last, kind }), kind);
-    let (_, controls, cost) = spline(&points[first..=last], &weights[first..=last], noise, false);
-    let kinds = [one(Kind::Line), one(Kind::Arc), (cost, Kind::Spline(controls))];
+    let (row, weighted) = (&points[first..=last], &weights[first..=last]);
+    let oval = || oval(row, weighted, noise, parts).map_or(f64::INFINITY, |o| o.1);
+    if spans.len() > LONGEST_RUN {
+        return (oval(), Kind::Ellipse);
+    }
+    let (_, controls, cost) = spline(row, weighted, noise, false);
+    let kinds = [one(Kind::Line), one(Kind::Arc), (oval(), Kind::Ellipse), (cost, Kind::Spline(controls))];
     kinds.into_iter().fold((f64::INFINITY, Kind::Line), |best, k| if k.0 < best.0 { k } else { best })
 }
 
@@ -66,6 +75,9 @@ fn span_cost(points: &[[f64; 3]], weights: &[f64], noise: &Noise, span: &Span) -
     let squares = match span.kind {
         Kind::Line => moments.squares().line,
         Kind::Arc => moments.squares().circle,
+        Kind::Ellipse => {
+            return oval(points, weights, noise, f64::INFINITY).map_or(f64::INFINITY, |o| o.1);
+        }
         Kind::Spline(_) => return spline(points, weights, noise, false).2,
     };
     noise.cost(noise.parameters(span.kind), squares)
@@ -98,7 +110,7 @@ pub(crate) fn spline(
     best
 }
 
-/// A closed row as one circle or one spline, where that is no longer a description than `other`.
+/// A closed row as one circle, ellipse or spline, where that is no longer a description than `other`.
 pub(super) fn whole(points: &[[f64; 3]], noise: &Noise, other: f64) -> Option<Piece> {
     let weights = vec![noise.share; points.len()];
     let piece = |shape, squares: f64, at| {
@@ -109,9 +121,16 @@ pub(super) fn whole(points: &[[f64; 3]], noise: &Noise, other: f64) -> Option<Pi
     if let Some(round) = Round::fit(points) {
         let squares: f64 = points.iter().map(|&p| distance2(p, round.foot(p))).sum();
         let turns = round.sweep(points).abs() > std::f64::consts::PI;
-        if turns && noise.cost(noise.parameters(Kind::Arc), noise.share * squares) <= other {
-            return Some(piece(Shape::Circle(round), squares, round.foot(points[0])));
+        let cost = noise.cost(noise.parameters(Kind::Arc), noise.share * squares);
+        if turns && cost <= other {
+            let better = |c: f64| ellipse(points, &weights, noise, c);
+            let (shape, squares, at) =
+                better(cost).unwrap_or((Shape::Circle(round), squares, round.foot(points[0])));
+            return Some(piece(shape, squares, at));
         }
+    }
+    if let Some((shape, squares, at)) = ellipse(points, &weights, noise, other) {
+        return Some(piece(shape, squares, at));
     }
     let (curve, _, cost) = spline(points, &weights, noise, true);
     let squares = |c: &BSpline| {
@@ -122,4 +141,19 @@ pub(super) fn whole(points: &[[f64; 3]], noise: &Noise, other: f64) -> Option<Pi
         let (squares, at) = (squares(&curve), curve.point(0.0));
         piece(Shape::Spline(curve), squares, at)
     })
+}
+
+/// The ellipse all the way round, the squared distances from it and where it begins, if its description is shorter than `limit`.
+fn ellipse(
+    points: &[[f64; 3]],
+    weights: &[f64],
+    noise: &Noise,
+    limit: f64,
+) -> Option<(Shape, f64, [f64; 3])> {
+    let (found, _) = oval(points, weights, noise, limit)?;
+    let turned = found.sweep(points);
+    let found = if turned < 0.0 { found.turned() } else { found };
+    let squares: f64 = points.iter().map(|&p| distance2(p, found.foot(p))).sum();
+    let shape = Shape::Ellipse { ellipse: found, sweep: std::f64::consts::TAU };
+    (turned.abs() > std::f64::consts::PI).then(|| (shape, squares, found.foot(points[0])))
 }

@@ -38,6 +38,8 @@ impl Noise {
             (Kind::Line, true) => 2,
             (Kind::Arc, false) => 7,
             (Kind::Arc, true) => 3,
+            (Kind::Ellipse, false) => 8,
+            (Kind::Ellipse, true) => 5,
             (Kind::Spline(controls), false) => 3 * controls,
             (Kind::Spline(controls), true) => 2 * controls,
         };
@@ -50,14 +52,19 @@ impl Noise {
 pub(crate) enum Kind {
     Line,
     Arc,
+    Ellipse,
     /// With this number of control points.
     Spline(usize),
 }
 
 impl Kind {
-    /// Least number of steps from point to point that speak for the kind: three points lie on a circle.
+    /// Least number of steps from point to point that speak for the kind: three points lie on a circle, five on an ellipse.
     pub(crate) fn fewest_steps(self) -> usize {
-        if self == Kind::Line { 1 } else { 3 }
+        match self {
+            Kind::Line => 1,
+            Kind::Ellipse => 5,
+            Kind::Arc | Kind::Spline(_) => 3,
+        }
     }
 }
 

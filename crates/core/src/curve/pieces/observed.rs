@@ -41,7 +41,7 @@ impl Observed {
         match self.free {
             Free::Line { direction, .. } => direction,
             Free::Arc(round) => round.normal,
-            Free::Other => [0.0; 3],
+            Free::Ellipse(_) | Free::Other => [0.0; 3],
         }
     }
 
@@ -50,7 +50,7 @@ impl Observed {
         match self.free {
             Free::Line { at, .. } => at,
             Free::Arc(round) => round.centre,
-            Free::Other => [0.0; 3],
+            Free::Ellipse(_) | Free::Other => [0.0; 3],
         }
     }
 

@@ -1,6 +1,6 @@
 //! A typed curve and how well it is known.
 
-use crate::curve::{BSpline, Round};
+use crate::curve::{BSpline, Ellipse, Round};
 use crate::math::vec3::{add_scaled, distance2, dot, sub};
 
 /// One curve of a row of points.
@@ -38,17 +38,25 @@ pub enum Shape {
     },
     /// A whole circle.
     Circle(Round),
+    /// An ellipse, or part of one: from end to end counter-clockwise about the normal.
+    Ellipse {
+        /// The ellipse.
+        ellipse: Ellipse,
+        /// The change of its parameter, radians, 0 to a full turn.
+        sweep: f64,
+    },
     /// A cubic B-spline.
     Spline(BSpline),
 }
 
 impl Shape {
-    /// The name in files: `line`, `arc`, `circle` or `b-spline`.
+    /// The name in files: `line`, `arc`, `circle`, `ellipse` or `b-spline`.
     pub fn name(&self) -> &'static str {
         match self {
             Shape::Line => "line",
             Shape::Arc { .. } => "arc",
             Shape::Circle(_) => "circle",
+            Shape::Ellipse { .. } => "ellipse",
             Shape::Spline(_) => "b-spline",
         }
     }
@@ -74,6 +82,15 @@ pub enum Sigma {
         /// Covariance of centre and radius: x, y, z, r.
         covariance: [[f64; 4]; 4],
     },
+    /// Of an ellipse.
+    Ellipse {
+        /// Of its turn within its plane, radians.
+        turn: f64,
+        /// Of the normal, radians: the root of the sum of both squares.
+        normal: f64,
+        /// Covariance of centre and half axes: x, y, z, greater, lesser.
+        covariance: [[f64; 5]; 5],
+    },
 }
 
 impl Sigma {
@@ -83,6 +100,11 @@ impl Sigma {
             Sigma::Line { offset, direction } => Sigma::Line { offset: offset * unit, direction },
             Sigma::Round { radius, normal, covariance } => Sigma::Round {
                 radius: radius * unit,
+                normal,
+                covariance: covariance.map(|row| row.map(|c| c * unit * unit)),
+            },
+            Sigma::Ellipse { turn, normal, covariance } => Sigma::Ellipse {
+                turn,
                 normal,
                 covariance: covariance.map(|row| row.map(|c| c * unit * unit)),
             },
@@ -102,11 +124,12 @@ impl Piece {
                 round.centre = map(round.centre);
                 round.radius *= unit;
             }
+            Shape::Ellipse { ellipse, .. } => *ellipse = ellipse.mapped(map, unit),
             Shape::Spline(curve) => *curve = curve.mapped(map, unit),
         }
     }
 
-    /// The point of the line, or the circle, nearest to `p`; on a spline the nearest of many.
+    /// The point of the line, the circle or the ellipse nearest to `p`; on a spline the nearest of many.
     pub(crate) fn foot(&self, p: [f64; 3]) -> [f64; 3] {
         match &self.shape {
             Shape::Line => {
@@ -115,6 +138,7 @@ impl Piece {
                 add_scaled(self.from, along, dot(sub(p, self.from), along) / length2)
             }
             Shape::Arc { round, .. } | Shape::Circle(round) => round.foot(p),
+            Shape::Ellipse { ellipse, .. } => ellipse.foot(p),
             Shape::Spline(curve) => nearest(curve, p),
         }
     }

@@ -15,7 +15,7 @@ pub(super) fn refine(points: &[[f64; 3]], weights: &[f64], noise: &Noise, spans:
         for k in 1..spans.len() {
             let (before, after) = spans.split_at_mut(k);
             let (a, b) = (&mut before[k - 1], &mut after[0]);
-            if [a.kind, b.kind].iter().any(|kind| matches!(kind, Kind::Spline(_))) {
+            if [a.kind, b.kind].iter().any(|kind| matches!(kind, Kind::Ellipse | Kind::Spline(_))) {
                 continue;
             }
             let at = best_break(points, weights, noise, a, b);

@@ -42,6 +42,11 @@ fn between(piece: &Piece, free: &Free, [from, to]: [[f64; 3]; 2]) -> Option<Piec
             }
             Shape::Spline(curve)
         }
+        (Shape::Ellipse { ellipse, sweep }, _) => {
+            let moved = ellipse.through(from, to)?;
+            let swept = moved.sweep_between(from, to);
+            ((swept - sweep).abs() < TURN).then_some(Shape::Ellipse { ellipse: moved, sweep: swept })?
+        }
         (shape, _) => shape.clone(),
     };
     Some(Piece { shape, from, to, ..piece.clone() })

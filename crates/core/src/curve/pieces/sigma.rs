@@ -6,6 +6,7 @@
 use super::noise::Noise;
 use super::piece::{Piece, Shape, Sigma};
 use crate::curve::circle::solve3;
+use crate::curve::ellipse::{Ellipse, Known};
 use crate::curve::round::Round;
 use crate::math::vec3::{add_scaled, cross, dot, perpendicular, scale, sub, unit};
 
@@ -18,6 +19,7 @@ pub(super) fn sigma(piece: &Piece, points: &[[f64; 3]], noise: &Noise) -> Option
     match &piece.shape {
         Shape::Line => line(piece, points, variance),
         Shape::Arc { round, .. } | Shape::Circle(round) => circle(round, points, variance),
+        Shape::Ellipse { ellipse: found, .. } => ellipse(found, points, variance),
         Shape::Spline(_) => None,
     }
 }
@@ -67,6 +69,26 @@ fn circle(round: &Round, points: &[[f64; 3]], variance: f64) -> Option<Sigma> {
         normal: (variance * (across[1][1] + across[2][2])).sqrt() / radius,
         covariance,
     })
+}
+
+fn ellipse(found: &Ellipse, points: &[[f64; 3]], variance: f64) -> Option<Sigma> {
+    let Known { within, across } = found.known(points, &vec![1.0; points.len()])?;
+    let [u, v] = found.axes();
+    let mut covariance = [[0.0; 5]; 5];
+    for i in 0..3 {
+        for j in 0..3 {
+            let flat = |a: usize, b: usize| [u, v][a][i] * within[a][b] * [u, v][b][j];
+            let sum = flat(0, 0) + flat(0, 1) + flat(1, 0) + flat(1, 1);
+            covariance[i][j] = variance * (sum + found.normal[i] * across[0] * found.normal[j]);
+        }
+        for k in 0..2 {
+            let with = variance * (u[i] * within[0][2 + k] + v[i] * within[1][2 + k]);
+            (covariance[i][3 + k], covariance[3 + k][i]) = (with, with);
+            (0..2).for_each(|l| covariance[3 + k][3 + l] = variance * within[2 + k][2 + l]);
+        }
+    }
+    let turn = (variance * within[4][4]).sqrt();
+    Some(Sigma::Ellipse { turn, normal: (variance * across[1]).sqrt(), covariance })
 }
 
 fn add(m: &mut [[f64; 3]; 3], row: [f64; 3]) {

@@ -1,9 +1,10 @@
 //! Rows of points with known curves, with and without noise.
 
-use super::{Free, Noise, Piece, Shape, pieces, rejoin};
+use super::{Free, Noise, Piece, Shape, Sigma, pieces, rejoin};
 use crate::curve::Round;
 use crate::math::uniform::uniform;
-use crate::math::vec3::{distance, sub};
+use crate::math::vec3::{distance, norm, sub};
+use std::f64::consts::{PI, TAU};
 
 /// Points `0.5` apart from `from` to `to`, the last one left out.
 fn line(from: [f64; 3], to: [f64; 3]) -> Vec<[f64; 3]> {
@@ -106,7 +107,7 @@ fn pieces_on_curves_that_moved_meet_again_and_keep_their_nodes() {
     let moved = |piece: &Piece| match Free::of(piece) {
         Free::Arc(round) => Free::Arc(Round { radius: round.radius - 0.1, ..round }),
         Free::Line { at: [x, y, z], direction } => Free::Line { at: [x, y + 0.1, z], direction },
-        Free::Other => Free::Other,
+        Free::Ellipse(_) | Free::Other => Free::Other,
     };
     let free: Vec<Free> = pieces.iter().map(moved).collect();
     let again = rejoin(&pieces, &free, false, 0.5).unwrap();
@@ -158,4 +159,70 @@ fn a_free_curve_is_a_spline_and_two_points_are_a_line() {
     assert!(names(&pieces).contains(&"b-spline"), "{:?}", names(&pieces));
     assert_eq!(names(&found(&[[0.0; 3], [1.0, 0.0, 0.0]], false, 0.1)), ["line"]);
     assert!(found(&[[0.0; 3]], false, 0.1).is_empty());
+}
+
+/// Points about `0.5` apart on an ellipse of half axes `a` and `b`, tilted in space, over a part of its parameter; the last one left out.
+fn oval([a, b]: [f64; 2], from: f64, sweep: f64) -> Vec<[f64; 3]> {
+    let steps = (sweep * 0.5 * (a + b) / 0.5).round() as usize;
+    let at = |k: usize| (from + sweep * k as f64 / steps as f64).sin_cos();
+    (0..steps).map(at).map(|(s, c)| [a * c, 0.8 * b * s, 0.6 * b * s]).collect()
+}
+
+fn axes(piece: &Piece) -> Option<[f64; 2]> {
+    match &piece.shape {
+        Shape::Ellipse { ellipse, .. } => Some([norm(ellipse.major), ellipse.minor]),
+        _ => None,
+    }
+}
+
+#[test]
+fn an_ellipse_is_one_whole_or_in_part_and_lies_within_its_deviations() {
+    for seed in 0..10 {
+        let whole = found(&shaken(&oval([15.0, 9.0], 0.0, TAU), 0.1, seed), true, 0.1);
+        let [piece] = &whole[..] else { panic!("{:?}", names(&whole)) };
+        let Some(Sigma::Ellipse { covariance, .. }) = piece.sigma else { panic!("{piece:?}") };
+        for (k, (found, size)) in axes(piece).unwrap().into_iter().zip([15.0, 9.0]).enumerate() {
+            assert!((found - size).abs() < 4.0 * covariance[3 + k][3 + k].sqrt(), "{seed}: {piece:?}");
+        }
+        // Half of it, and lines that lead on straight from its ends.
+        let mut row = line([15.0, -16.0, -12.0], [15.0, 0.0, 0.0]);
+        row.extend(oval([15.0, 9.0], 0.0, PI));
+        row.extend(line([-15.0, 0.0, 0.0], [-15.0, -16.0, -12.0]));
+        let parts = found(&shaken(&row, 0.05, seed), false, 0.05);
+        assert_eq!(names(&parts), ["line", "ellipse", "line"], "{seed}");
+        let Shape::Ellipse { ellipse, sweep } = &parts[1].shape else { panic!() };
+        assert!((sweep - PI).abs() < 0.3, "{sweep}");
+        for end in [parts[1].from, parts[1].to] {
+            assert!(distance(ellipse.foot(end), end) < 1e-9 * 15.0, "{:?}", parts[1]);
+        }
+        assert!(distance(ellipse.at(ellipse.angle(parts[1].from) + sweep), parts[1].to) < 1e-8);
+    }
+}
+
+#[test]
+fn what_is_round_or_free_is_no_ellipse() {
+    for seed in 0..40 {
+        for radius in [3.0, 8.0, 30.0] {
+            let round = shaken(&arc([5.0, 1.0], radius, 0.0, 360.0), 0.1, seed);
+            assert_eq!(names(&found(&round, true, 0.1)), ["circle"], "{radius} {seed}");
+        }
+        // A wave, a squared circle, and the curve in which pipes of radius 10 and 7 meet.
+        let wave = |k: i32| [0.3 * f64::from(k), 6.0 * (0.05 * f64::from(k)).sin(), 0.0];
+        let turn = |k: i32| (f64::from(k) * TAU / 150.0).sin_cos();
+        let square = |k: i32| {
+            let (s, c) = turn(k);
+            let r = 12.0 / (s.powi(4) + c.powi(4)).powf(0.25);
+            [r * c, r * s, 0.0]
+        };
+        let saddle = |k: i32| {
+            let (s, c) = turn(k);
+            [7.0 * c, 7.0 * s, (100.0 - 49.0 * s * s).sqrt()]
+        };
+        for (curve, closed) in [(&wave as &dyn Fn(i32) -> [f64; 3], false), (&square, true), (&saddle, true)]
+        {
+            let points: Vec<[f64; 3]> = (0..150).map(curve).collect();
+            let found = found(&shaken(&points, 0.05, seed), closed, 0.05);
+            assert!(found.iter().all(|p| axes(p).is_none()), "{seed}: {:?}", names(&found));
+        }
+    }
 }

@@ -89,7 +89,7 @@ fn shape(piece: &Piece, samples: &[[f64; 3]], surfaces: &[Surface], residual: f6
         Shape::Arc { round, .. } | Shape::Circle(round) => {
             rounded(*round, samples, surfaces, SCATTER * piece.deviation + residual)
         }
-        Shape::Spline(_) => None,
+        Shape::Ellipse { .. } | Shape::Spline(_) => None,
     };
     let most = residual.max(rounding(samples));
     typed
@@ -185,6 +185,10 @@ pub(super) fn points(shape: &Shape, [from, to]: [[f64; 3]; 2]) -> Vec<[f64; 3]> 
         Shape::Line => between(from, to, LOOKED_AT).chain([from, to]).collect(),
         Shape::Arc { round, sweep } => round.samples(from, *sweep, LOOKED_AT + 1),
         Shape::Circle(round) => round.samples(from, std::f64::consts::TAU, LOOKED_AT + 1),
+        Shape::Ellipse { ellipse, sweep } => {
+            let first = ellipse.angle(from);
+            (0..=LOOKED_AT).map(|k| ellipse.at(first + sweep * k as f64 / LOOKED_AT as f64)).collect()
+        }
         Shape::Spline(curve) => {
             let (first, last) = curve.domain();
             let count = LOOKED_AT.max(2 * curve.controls.len());

@@ -43,7 +43,7 @@ pub(in crate::recover) struct Seen {
 }
 
 impl Sweep {
-    /// The path of a piece; `None` for splines.
+    /// The path of a piece; `None` for ellipses and splines.
     pub(in crate::recover) fn of(piece: &Piece) -> Option<Self> {
         match &piece.shape {
             Shape::Line => {
@@ -57,7 +57,7 @@ impl Sweep {
                 let zero = unit(sub(round.foot(piece.from), round.centre));
                 Some(Sweep::Round { round: *round, zero })
             }
-            Shape::Spline(_) => None,
+            Shape::Ellipse { .. } | Shape::Spline(_) => None,
         }
     }
 

@@ -65,6 +65,12 @@ fn laid(system: &System, x: &[f64], [s, c]: [usize; 2], piece: &Piece) -> Piece 
             let round = round.through(from, to, &samples, 0.0).unwrap_or(round);
             (Shape::Arc { round, sweep: round.sweep_between(from, to) }, [from, to])
         }
+        (Shape::Ellipse { ellipse, sweep }, _) => match ellipse.through(from, to) {
+            Some(ellipse) if joints.is_some() => {
+                (Shape::Ellipse { ellipse, sweep: ellipse.sweep_between(from, to) }, [from, to])
+            }
+            _ => (Shape::Ellipse { ellipse: *ellipse, sweep: *sweep }, [from, to]),
+        },
         (Shape::Spline(curve), _) if !curve.periodic => {
             let mut curve = curve.clone();
             let last = curve.controls.len() - 1;

@@ -96,6 +96,7 @@ fn off(piece: &Piece, p: [f64; 2]) -> f64 {
         Shape::Arc { centre, radius, .. } | Shape::Circle { centre, radius } => {
             Circle { centre: *centre, radius: *radius }.off(p)
         }
+        Shape::Ellipse { ellipse, .. } => crate::math::vec2::distance(ellipse.foot(p), p),
         Shape::Free(curve) => {
             let (from, to) = curve.domain();
             let count = SAMPLES * curve.controls.len();

@@ -1,20 +1,21 @@
 //! The breaks between the lines, arcs and splines of a contour: those of least description length.
 //!
 //! `pieces::search` looks at few of the places where long pieces may break; the places about those that it finds are then searched
-//! anew, all of them. Runs of pieces that one spline describes in fewer numbers become that spline, between corners.
+//! anew, all of them. Runs of pieces that one ellipse or spline describes in fewer numbers become that, between corners.
 
 use super::data::Blocks;
-use crate::curve::BSpline;
+use crate::curve::pieces;
 use crate::curve::pieces::noise::{Kind, Noise, Span};
 use crate::curve::pieces::search::{search_row, spans};
 use crate::curve::pieces::spline;
+use crate::curve::{BSpline, Ellipse};
 use crate::math::vec2::{sub, unit};
 
 /// Blocks to both sides of a break whose beginnings are looked at again, and those of which every datum is.
 const BESIDE: [usize; 2] = [4, 2];
 /// Most places that a piece leads over.
 const FARTHEST: usize = 200;
-/// Fewest and most pieces that a spline stands for.
+/// Fewest pieces that a spline stands for, and most that it or an ellipse does.
 const RUN: (usize, usize) = (3, 16);
 /// Fewest data of a line and of an arc, and the least standard deviation along each, spacings: what is shorter, or rounder, is not seen.
 const LEAST: [(usize, f64); 2] = [(3, 0.2), (6, 0.4)];
@@ -89,6 +90,9 @@ fn cost(blocks: &Blocks, noise: &Noise, span: &Span) -> f64 {
     match span.kind {
         Kind::Line => noise.cost(noise.parameters(span.kind), squares.line),
         Kind::Arc => noise.cost(noise.parameters(span.kind), squares.circle),
+        Kind::Ellipse => {
+            oval(blocks, noise, span.first, span.last, f64::INFINITY).map_or(f64::INFINITY, |o| o.1)
+        }
         Kind::Spline(_) => free(blocks, noise, span.first, span.last).2,
     }
 }
@@ -100,23 +104,41 @@ pub(super) fn costs(blocks: &Blocks, noise: &Noise, spans: &[Span]) -> f64 {
 
 /// The best spline over some data, its number of control points, and its description length.
 fn free(blocks: &Blocks, noise: &Noise, first: usize, last: usize) -> (BSpline, usize, f64) {
+    let (row, weights, spread) = means(blocks, noise, first, last);
+    let (curve, controls, cost) = spline(&row, &weights, noise, false);
+    (curve, controls, cost + spread)
+}
+
+/// The ellipse over some data and its description length, if that is less than `limit`.
+pub(super) fn oval(
+    blocks: &Blocks,
+    noise: &Noise,
+    first: usize,
+    last: usize,
+    limit: f64,
+) -> Option<(Ellipse, f64)> {
+    let (row, weights, spread) = means(blocks, noise, first, last);
+    pieces::oval(&row, &weights, noise, limit - spread).map(|(found, cost)| (found, cost + spread))
+}
+
+/// The means of the blocks within some data, their weights, and what the spread of the data about them costs, across the way.
+pub(super) fn means(
+    blocks: &Blocks,
+    noise: &Noise,
+    first: usize,
+    last: usize,
+) -> (Vec<[f64; 3]>, Vec<f64>, f64) {
     let sums = blocks.within(first, last);
     let means: Vec<[f64; 2]> = sums.iter().map(|s| s.mean()).collect();
-    let lifted: Vec<[f64; 3]> = means.iter().map(|&[x, y]| [x, y, 0.0]).collect();
-    let weights: Vec<f64> = sums.iter().map(|s| s.weight).collect();
-    let (curve, controls, cost) = spline(&lifted, &weights, noise, false);
-    // The spread of the data about the mean of their block, across the way.
     let way = |k: usize| unit(sub(means[(k + 1).min(means.len() - 1)], means[k.saturating_sub(1)]));
     let spread: f64 = sums.iter().enumerate().map(|(k, sum)| sum.across(way(k))).sum();
-    (curve, controls, cost + noise.cost(0, spread))
+    let row = means.iter().map(|&[x, y]| [x, y, 0.0]).collect();
+    (row, sums.iter().map(|s| s.weight).collect(), noise.cost(0, spread))
 }
 
 /// The pieces with splines in place of the runs that they describe better.
 fn splined(blocks: &Blocks, noise: &Noise, found: &[Span], corners: &[f64]) -> Vec<Span> {
     let n = found.len();
-    if n < RUN.0 {
-        return found.to_vec();
-    }
     let own: Vec<f64> = found.iter().map(|s| cost(blocks, noise, s)).collect();
     let corner = |span: &Span| near_corner(blocks, span.first, corners);
     let mut best: Vec<(f64, usize, Kind)> = vec![(f64::INFINITY, 0, Kind::Line); n + 1];
@@ -127,12 +149,17 @@ fn splined(blocks: &Blocks, noise: &Noise, found: &[Span], corners: &[f64]) -> V
             if b > a + 1 && corner(&found[b - 1]) {
                 break;
             }
+            let parts: f64 = own[a..b].iter().sum();
             let (cost, kind) = match b - a {
                 1 => (own[a], found[a].kind),
-                k if k < RUN.0 => continue,
-                _ => {
-                    let (_, controls, cost) = free(blocks, noise, found[a].first, found[b - 1].last);
-                    (cost, Kind::Spline(controls))
+                k => {
+                    let (first, last) = (found[a].first, found[b - 1].last);
+                    let (_, controls, cost) = match k {
+                        _ if k < RUN.0 => (BSpline::default(), 0, f64::INFINITY),
+                        _ => free(blocks, noise, first, last),
+                    };
+                    oval(blocks, noise, first, last, cost.min(parts))
+                        .map_or((cost, Kind::Spline(controls)), |o| (o.1, Kind::Ellipse))
                 }
             };
             if before + cost < best[b].0 {
@@ -152,7 +179,7 @@ pub(super) fn error(blocks: &Blocks, found: &[Span]) -> f64 {
         let (squares, parameters) = match span.kind {
             Kind::Line => (squares.line, 2.0),
             Kind::Arc => (squares.circle, 3.0),
-            Kind::Spline(_) => continue,
+            Kind::Ellipse | Kind::Spline(_) => continue,
         };
         sum += squares;
         freedom += ((span.last - span.first) as f64 - parameters).max(0.0);

@@ -1,11 +1,13 @@
 //! Pieces that meet: where they touch, where they cross, or else half way between them.
 
+use super::breaks::means;
 use super::data::{Blocks, Datum};
 use super::primitive::{Primitive, sweep};
 use super::tangent::{Fitted, settled};
 use super::touch::{Joint, mark, touching};
 use super::{Piece, Shape};
 use crate::curve::circle::Circle;
+use crate::curve::pieces::ellipse;
 use crate::curve::pieces::noise::{Kind, Noise, Span};
 use crate::curve::round::Round;
 use crate::math::vec2::{along, cross, distance, dot, sub, unit};
@@ -78,7 +80,7 @@ fn primitive(kind: Kind, data: &[Datum]) -> Primitive {
             Primitive::Free => Primitive::line(data),
             arc => arc,
         },
-        Kind::Spline(_) => Primitive::Free,
+        Kind::Ellipse | Kind::Spline(_) => Primitive::Free,
     }
 }
 
@@ -127,6 +129,7 @@ fn piece(blocks: &Blocks, span: &Span, fitted: &Fitted, noise: &Noise, [from, to
     let shape = match fitted.curve {
         Primitive::Line(_) => Shape::Line,
         Primitive::Arc { circle, left } => arc(&circle, left, fitted.data, [from, to]),
+        Primitive::Free if span.kind == Kind::Ellipse => oval(blocks, span, noise, [from, to]),
         Primitive::Free => spline(blocks, span, noise, [from, to]),
     };
     Piece { shape, from, to, worst: 0.0 }
@@ -159,6 +162,18 @@ fn arc(circle: &Circle, left: bool, data: &[Datum], [from, to]: [[f64; 2]; 2]) -
         return Shape::Line;
     }
     Shape::Arc { centre: circle.centre, radius: circle.radius, sweep: turn }
+}
+
+/// The ellipse of a span between two points; a spline where it does not lead through both.
+fn oval(blocks: &Blocks, span: &Span, noise: &Noise, [from, to]: [[f64; 2]; 2]) -> Shape {
+    let lift = |[x, y]: [f64; 2]| [x, y, 0.0];
+    let mut row = vec![lift(from)];
+    row.extend(means(blocks, noise, span.first, span.last).0);
+    row.push(lift(to));
+    match ellipse(&row) {
+        Some(crate::curve::pieces::Shape::Ellipse { ellipse, sweep }) => Shape::of_ellipse(&ellipse, sweep),
+        _ => spline(blocks, span, noise, [from, to]),
+    }
 }
 
 /// The spline of a span between two points; a line where that would be as good.

@@ -36,6 +36,7 @@ fn kinds(pieces: &[Piece]) -> String {
         Shape::Line => 'l',
         Shape::Arc { .. } => 'a',
         Shape::Circle { .. } => 'o',
+        Shape::Ellipse { .. } => 'e',
         Shape::Free(_) => 's',
     };
     pieces.iter().map(kind).collect()
@@ -136,4 +137,29 @@ fn a_tolerance_that_is_given_holds_and_a_wide_one_asks_for_no_more_pieces() {
         assert!(found.iter().all(|p| p.worst <= tolerance), "{found:?} for {tolerance}");
     }
     assert_eq!(kinds(&sketched(&outline, true, 0.5, 0.1, Some(5.0))).len(), 4);
+}
+
+/// Data about an ellipse, whole or in part, as of a pipe cut aslant.
+#[test]
+fn a_pipe_cut_aslant_is_one_ellipse_whole_or_in_part() {
+    let mut uniform = uniform(4);
+    let mut normal = || (0..12).map(|_| uniform()).sum::<f64>() - 6.0;
+    let truth = FlatEllipse { centre: [40.0, -7.0], axes: [14.0, 9.0], way: [0.6, 0.8] };
+    for (turn, closed) in [(1.0, true), (0.5, false), (-0.55, false)] {
+        let (mut vertices, mut data, mut arc) = (Vec::new(), Vec::new(), 0.0);
+        for k in 0..120 {
+            let at = truth.at(0.7 + turn * std::f64::consts::TAU * (f64::from(k) + 0.5) / 120.0);
+            arc += vertices.last().map_or(0.0, |v: &Vertex| distance(v.at, at));
+            vertices.push(Vertex::new(at, 1.0));
+            data.extend((0..2).map(|_| Datum { at: at.map(|x| x + 0.07 * normal()), weight: 1.0, arc }));
+        }
+        let found = fit(&Chain { vertices, closed }, &data, None);
+        let [Piece { shape: Shape::Ellipse { ellipse, sweep }, from, to, .. }] = found[..] else {
+            panic!("{turn}: {found:?}")
+        };
+        assert!(distance(ellipse.centre, truth.centre) < 0.2, "{ellipse:?}");
+        assert!((0..2).all(|k| (ellipse.axes[k] - truth.axes[k]).abs() < 0.2), "{ellipse:?}");
+        assert!((sweep - turn * std::f64::consts::TAU).abs() < 0.1, "{sweep} for {turn}");
+        assert!([from, to].iter().all(|&p| distance(ellipse.foot(p), p) < 1e-9), "{found:?}");
+    }
 }

@@ -10,7 +10,7 @@ mod plane;
 
 use crate::unit::Unit;
 use group::{Groups, Handles};
-use lineament::curve::BSpline;
+use lineament::curve::{BSpline, Ellipse};
 use std::borrow::Cow;
 use std::io::{self, Write};
 
@@ -29,6 +29,8 @@ pub(in crate::write) enum Shape<'a> {
     Arc { centre: [f64; 3], radius: f64, normal: [f64; 3], ends: [[f64; 3]; 2] },
     /// CIRCLE about a normal.
     Circle { centre: [f64; 3], radius: f64, normal: [f64; 3] },
+    /// ELLIPSE, from a point of it counter-clockwise about its normal over a part of its parameter, radians.
+    Ellipse { ellipse: Ellipse, from: [f64; 3], sweep: f64 },
     /// SPLINE.
     Spline(&'a BSpline),
     /// POLYLINE in space. A closed one does not repeat its first point.

@@ -1,4 +1,4 @@
-//! A network as DXF: lines, arcs, circles and splines of each strip, a 3D POLYLINE where it has no typed curves, and a POINT for each
+//! A network as DXF: lines, arcs, circles, ellipses and splines of each strip, a 3D POLYLINE where it has no typed curves, and a POINT for each
 //! node, each on the layer of its kind.
 
 use super::context::NetworkContext;
@@ -39,6 +39,9 @@ pub(in crate::write) fn piece(piece: &Piece) -> Shape<'_> {
         // An arc from a node to the same node: programs would take its equal angles for no arc at all.
         pieces::Shape::Circle(round) | pieces::Shape::Arc { round, .. } => {
             Shape::Circle { centre: round.centre, radius: round.radius, normal: round.normal }
+        }
+        pieces::Shape::Ellipse { ellipse, sweep } => {
+            Shape::Ellipse { ellipse: *ellipse, from: ends[0], sweep: *sweep }
         }
         pieces::Shape::Spline(curve) => Shape::Spline(curve),
     }

@@ -2,7 +2,7 @@
 
 use crate::write::encode::json::{Number, Point, list};
 use lineament::curve::pieces::{Piece, Shape, Sigma};
-use lineament::curve::{BSpline, Round};
+use lineament::curve::{BSpline, Ellipse, Round};
 use std::io::{self, Write};
 
 /// Type, range, ends, parameters, how well they are known, and how far relations moved it.
@@ -17,6 +17,10 @@ pub(super) fn piece(out: &mut dyn Write, piece: &Piece, moved: Option<f64>) -> i
             write!(out, ", \"sweep_deg\": {}", Number(sweep.to_degrees()))?;
         }
         Shape::Circle(round) => circle(out, round)?,
+        Shape::Ellipse { ellipse: found, sweep } => {
+            ellipse(out, found)?;
+            write!(out, ", \"sweep_deg\": {}", Number(sweep.to_degrees()))?;
+        }
         Shape::Spline(curve) => spline(out, curve)?,
     }
     write!(out, ", \"deviation\": {}", Number(*deviation))?;
@@ -29,7 +33,7 @@ pub(super) fn piece(out: &mut dyn Write, piece: &Piece, moved: Option<f64>) -> i
     write!(out, "}}")
 }
 
-/// Standard deviations, of circles also the covariance of centre and radius.
+/// Standard deviations, of circles and ellipses also the covariance of centre and size.
 fn deviations(out: &mut dyn Write, sigma: &Sigma) -> io::Result<()> {
     match sigma {
         Sigma::Line { offset, direction } => {
@@ -39,15 +43,33 @@ fn deviations(out: &mut dyn Write, sigma: &Sigma) -> io::Result<()> {
         Sigma::Round { radius, normal, covariance } => {
             let center = [0, 1, 2].map(|i| covariance[i][i].sqrt());
             write!(out, ", \"sigma\": {{\"radius\": {}, \"center\": {}", Number(*radius), Point(&center))?;
-            write!(out, ", \"normal_deg\": {}}}, \"covariance\": [", Number(normal.to_degrees()))?;
-            list(out, covariance, |out, _, row| {
-                write!(out, "[")?;
-                list(out, row, |out, _, &c| write!(out, "{}", Number(c)))?;
-                write!(out, "]")
-            })?;
-            write!(out, "]")
+            write!(out, ", \"normal_deg\": {}}}", Number(normal.to_degrees()))?;
+            rows(out, covariance)
+        }
+        Sigma::Ellipse { turn, normal, covariance } => {
+            let [x, y, z, major, minor] = std::array::from_fn(|i| covariance[i][i].sqrt());
+            write!(out, ", \"sigma\": {{\"major\": {}, \"minor\": {}", Number(major), Number(minor))?;
+            write!(out, ", \"center\": {}, \"turn_deg\": ", Point(&[x, y, z]))?;
+            write!(out, "{}, \"normal_deg\": {}}}", Number(turn.to_degrees()), Number(normal.to_degrees()))?;
+            rows(out, covariance)
         }
     }
+}
+
+fn rows<const N: usize>(out: &mut dyn Write, covariance: &[[f64; N]; N]) -> io::Result<()> {
+    write!(out, ", \"covariance\": [")?;
+    list(out, covariance, |out, _, row| {
+        write!(out, "[")?;
+        list(out, row, |out, _, &c| write!(out, "{}", Number(c)))?;
+        write!(out, "]")
+    })?;
+    write!(out, "]")
+}
+
+fn ellipse(out: &mut dyn Write, ellipse: &Ellipse) -> io::Result<()> {
+    let Ellipse { centre, normal, major, minor } = ellipse;
+    write!(out, ", \"center\": {}, \"normal\": {}", Point(centre), Point(normal))?;
+    write!(out, ", \"major\": {}, \"minor\": {}", Point(major), Number(*minor))
 }
 
 fn circle(out: &mut dyn Write, round: &Round) -> io::Result<()> {

@@ -5,11 +5,14 @@ use crate::write::encode::step::{Head, Id, List, Step, Text};
 use lineament::curve::pieces::{Piece, Shape};
 use lineament::math::vec3::{add_scaled, perpendicular};
 use lineament::{Network, Strip, StripKind};
+use std::f64::consts::TAU;
 use std::io::{self, Write};
 
 /// Shares of extent and coordinates up to which curves that meet may lie apart.
 const OF_EXTENT: f64 = 1e-9;
 const OF_COORDINATES: f64 = 1e-14;
+/// Change of the parameter from which on an ellipse is whole, radians.
+const WHOLE: f64 = TAU - 1e-9;
 
 /// Writes the typed curves of each strip, a polyline where it has none.
 pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkContext) -> io::Result<()> {
@@ -86,6 +89,12 @@ fn curve(step: &mut Step, piece: &Piece) -> io::Result<Id> {
         Shape::Circle(round) => {
             let first = add_scaled(round.centre, perpendicular(round.normal), round.radius);
             step.circle(name, round, first)
+        }
+        Shape::Ellipse { ellipse, sweep } => {
+            let whole = *sweep >= WHOLE;
+            let basis = step.ellipse(if whole { name } else { "" }, ellipse)?;
+            let first = ellipse.angle(piece.from).rem_euclid(TAU);
+            if whole { Ok(basis) } else { step.trimmed(name, basis, [first, first + sweep]) }
         }
         Shape::Spline(spline) => step.spline(name, spline),
     }

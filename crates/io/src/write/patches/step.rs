@@ -56,6 +56,7 @@ fn edge(step: &mut Step, found: &Brep, edge: &Edge, vertices: &[Id]) -> io::Resu
     let curve = match &edge.shape {
         Shape::Line => step.line(from, to)?,
         Shape::Arc { round, .. } | Shape::Circle(round) => step.circle("", round, from)?,
+        Shape::Ellipse { ellipse, .. } => step.ellipse("", ellipse)?,
         Shape::Spline(spline) => step.spline("", spline)?,
     };
     let [a, b] = edge.ends.map(|v| vertices[v as usize]);

@@ -77,7 +77,7 @@ fn piece(out: &mut dyn Write, piece: &Piece) -> io::Result<()> {
     write!(out, "{{\"type\": \"{}\", \"from\": {}, ", piece.shape.name(), Point(&piece.from))?;
     write!(out, "\"to\": {}, ", Point(&piece.to))?;
     match &piece.shape {
-        Shape::Line | Shape::Spline(_) => {}
+        Shape::Line | Shape::Ellipse { .. } | Shape::Spline(_) => {}
         Shape::Arc { round, sweep } => {
             circle(out, round)?;
             write!(out, "\"sweep_deg\": {}, ", Number(sweep.to_degrees()))?;

@@ -55,7 +55,7 @@ fn piece(out: &mut dyn Write, piece: &CurvePiece) -> io::Result<()> {
         CurveShape::Arc { radius, .. } | CurveShape::Circle { radius, .. } => {
             write!(out, ", \"radius\": {}", Number(radius))?;
         }
-        CurveShape::Line | CurveShape::Spline(_) => {}
+        CurveShape::Line | CurveShape::Ellipse { .. } | CurveShape::Spline(_) => {}
     }
     write!(out, "}}")
 }

@@ -72,7 +72,7 @@ fn sweep(piece: &CurvePiece) -> Option<f64> {
     match piece.shape {
         CurveShape::Line => Some(0.0),
         CurveShape::Arc { sweep_deg, .. } => Some(sweep_deg.to_radians()),
-        CurveShape::Circle { .. } | CurveShape::Spline(_) => None,
+        CurveShape::Circle { .. } | CurveShape::Ellipse { .. } | CurveShape::Spline(_) => None,
     }
 }
 
@@ -84,6 +84,10 @@ fn piece(piece: &CurvePiece, normal: [f64; 3]) -> Shape<'_> {
             // An arc runs counter-clockwise: one swept the other way begins at its end.
             let ends = if *sweep_deg < 0.0 { [piece.to, piece.from] } else { [piece.from, piece.to] };
             Shape::Arc { centre: *centre, radius: *radius, normal, ends }
+        }
+        CurveShape::Ellipse { ellipse, sweep_deg } => {
+            let from = if *sweep_deg < 0.0 { piece.to } else { piece.from };
+            Shape::Ellipse { ellipse: *ellipse, from, sweep: sweep_deg.to_radians().abs() }
         }
         CurveShape::Spline(spline) => Shape::Spline(spline),
     }

@@ -3,7 +3,7 @@
 
 use super::context::SectionContext;
 use crate::write::encode::json::{Head, Number, Point, Text, lines, list};
-use lineament::curve::BSpline;
+use lineament::curve::{BSpline, Ellipse};
 use lineament::params::ParamValue;
 use lineament::section::{Contour, CurvePiece, CurveShape, Feature, Mirror, Repeat, Run, Section, Sections};
 use rayon::prelude::*;
@@ -110,6 +110,10 @@ fn piece(out: &mut dyn Write, piece: &CurvePiece) -> io::Result<()> {
         CurveShape::Arc { centre, radius, sweep_deg } => {
             write!(out, ", \"centre\": {}, \"radius\": {}", Point(centre), Number(*radius))?;
             write!(out, ", \"sweep_deg\": {}", Number(*sweep_deg))?;
+        }
+        CurveShape::Ellipse { ellipse: Ellipse { centre, major, minor, .. }, sweep_deg } => {
+            write!(out, ", \"centre\": {}, \"major\": {}", Point(centre), Point(major))?;
+            write!(out, ", \"minor\": {}, \"sweep_deg\": {}", Number(*minor), Number(*sweep_deg))?;
         }
         CurveShape::Spline(BSpline { degree, knots, controls, .. }) => {
             write!(out, ", \"degree\": {degree}, \"knots\": [")?;

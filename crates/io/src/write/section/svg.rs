@@ -145,10 +145,11 @@ fn curve(
     place: &impl Fn([f64; 3]) -> [f64; 2],
 ) -> io::Result<()> {
     // Radii are drawn as far as their centres lie from the ends.
-    let radius = |centre: [f64; 3]| {
-        let ([x, y], [u, v]) = (place(centre), place(piece.from));
+    let radius_of = |centre: [f64; 3], to: [f64; 3]| {
+        let ([x, y], [u, v]) = (place(centre), place(to));
         (x - u).hypot(y - v)
     };
+    let radius = |centre| radius_of(centre, piece.from);
     match &piece.shape {
         CurveShape::Line => at(out, "L", piece.to),
         CurveShape::Arc { centre, sweep_deg, .. } => {
@@ -161,6 +162,17 @@ fn curve(
             let across = [0, 1, 2].map(|k| 2.0 * centre[k] - piece.from[k]);
             at(out, &format!("A{r:.4} {r:.4} 0 1 0 "), across)?;
             at(out, &format!("A{r:.4} {r:.4} 0 1 0 "), piece.to)
+        }
+        CurveShape::Ellipse { ellipse, sweep_deg } => {
+            let [[x, y], [u, v]] = [ellipse.centre, ellipse.at(0.0)].map(place);
+            let (a, turn) = ((u - x).hypot(v - y), (v - y).atan2(u - x).to_degrees());
+            let b = radius_of(ellipse.centre, ellipse.at(std::f64::consts::FRAC_PI_2));
+            // In two halves: the ends of a whole one are the same.
+            let first = ellipse.angle(piece.from);
+            let middle = ellipse.at(first + 0.5 * sweep_deg.to_radians());
+            let forward = u8::from(*sweep_deg < 0.0);
+            at(out, &format!("A{a:.4} {b:.4} {turn:.4} 0 {forward} "), middle)?;
+            at(out, &format!("A{a:.4} {b:.4} {turn:.4} 0 {forward} "), piece.to)
         }
         CurveShape::Spline(spline) => bezier(spline).iter().try_for_each(|[p, q, to]| {
             at(out, "C", *p)?;

@@ -2,7 +2,7 @@
 
 use ::parquet::file::properties::WriterVersion;
 use lineament::curve::pieces::{Piece, Shape, Sigma};
-use lineament::curve::{BSpline, Round};
+use lineament::curve::{BSpline, Ellipse, Round};
 use lineament::{Attribute, Cloud, Column, Network, Node, NodeKind, Strip, StripKind};
 use lineament_io::{NetworkFormat, PointFormat, PointTable, write_network_to, write_points_to};
 
@@ -15,12 +15,16 @@ fn curves(points: &[[f64; 3]]) -> Vec<Piece> {
     let covariance = [[1e-6; 4]; 4];
     let known = Sigma::Round { radius: 1e-3, normal: 0.25, covariance };
     let straight = Sigma::Line { offset: 1e-3, direction: 0.125 };
+    let wide = Sigma::Ellipse { turn: 0.5, normal: 0.25, covariance: [[1e-6; 5]; 5] };
+    let major = [0.0, 2.0 / 3.0, 0.0];
+    let ellipse = Ellipse { centre: [1.0, -2.0, 0.5], normal: [0.0, 0.0, 1.0], major, minor: 1.0 / 3.0 };
     let piece =
         |shape, first, from, to, sigma| Piece { shape, from, to, first, last: 1, deviation: 1e-3, sigma };
     vec![
         piece(Shape::Line, 0, points[0], from, Some(straight)),
         piece(Shape::Arc { round, sweep: 1.5 }, 1, from, to, Some(known)),
         piece(Shape::Circle(round), 1, to, to, None),
+        piece(Shape::Ellipse { ellipse, sweep: 0.75 }, 1, from, to, Some(wide)),
         piece(Shape::Spline(spline), 1, from, to, None),
     ]
 }

@@ -110,11 +110,17 @@ fn typed_curves_and_sigma_stand_in_the_second_schema_alone() {
     let (second, first) = (json(), first_schema());
     let curves = second["strips"][0]["curves"].as_array().unwrap();
     let names: Vec<&str> = curves.iter().map(|c| c["type"].as_str().unwrap()).collect();
-    assert_eq!(names, ["line", "arc", "circle", "b-spline"]);
+    assert_eq!(names, ["line", "arc", "circle", "ellipse", "b-spline"]);
     assert_eq!(curves[1]["radius"], 1.0 / 3.0);
     assert_eq!(curves[1]["sweep_deg"], 1.5_f64.to_degrees());
     assert_eq!(curves[1]["range"], serde_json::json!([1, 1]));
     assert_eq!(curves[1]["covariance"][3][3], 1e-6);
+    assert_eq!(
+        (&curves[3]["major"], &curves[3]["minor"]),
+        (&serde_json::json!([0.0, 2.0 / 3.0, 0.0]), &serde_json::json!(1.0 / 3.0))
+    );
+    assert_eq!(curves[3]["sigma"]["minor"], 1e-3);
+    assert_eq!(curves[3]["covariance"][4][4], 1e-6);
     assert_eq!(first["schema"], "lineament-network/1");
     assert!(first["strips"][0].get("curves").is_none());
     assert_eq!(second["strips"][0]["sigma"][2], serde_json::json!([0.5, 0.25, 0.125]));

@@ -2,6 +2,7 @@
 
 use super::Shape;
 use super::plane::Bend;
+use lineament::curve::Ellipse;
 use lineament::math::vec3::{add, add_scaled, cross, distance, norm, scale, sub, unit};
 use std::f64::consts::TAU;
 
@@ -31,6 +32,7 @@ fn each(shape: &Shape, take: &mut dyn FnMut([f64; 3])) {
             extremes(*centre, *radius, *normal, Some(*ends), take);
         }
         Shape::Circle { centre, radius, normal } => extremes(*centre, *radius, *normal, None, take),
+        Shape::Ellipse { ellipse, from, sweep } => oval(ellipse, *from, *sweep, take),
         Shape::Spline(curve) => curve.controls.iter().for_each(|&p| take(p)),
         Shape::Polyline { points, .. } => points.iter().for_each(|&p| take(p)),
         Shape::Flat { bends, normal, .. } => {
@@ -80,6 +82,21 @@ fn extremes(
     }
 }
 
+/// The ends of a stretch of an ellipse, and its points that lie farthest along x, y and z.
+fn oval(ellipse: &Ellipse, from: [f64; 3], sweep: f64, take: &mut dyn FnMut([f64; 3])) {
+    let first = ellipse.angle(from);
+    [first, first + sweep].into_iter().for_each(|t| take(ellipse.at(t)));
+    let minor = sub(ellipse.at(0.25 * TAU), ellipse.centre);
+    for axis in 0..3 {
+        let most = minor[axis].atan2(ellipse.major[axis]);
+        for t in [most, most + 0.5 * TAU] {
+            if (t - first).rem_euclid(TAU) <= sweep + SLACK * TAU {
+                take(ellipse.at(t));
+            }
+        }
+    }
+}
+
 /// The angle from one point to another about the normal, 0 to a full turn.
 fn turn(centre: [f64; 3], normal: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
     let (a, b) = (sub(from, centre), sub(to, centre));
@@ -104,6 +121,18 @@ mod tests {
         let ends = [[3.0, 1.0, 5.0], [1.0, 3.0, 5.0]];
         assert_eq!(of(arc(ends)), [[1.0, 1.0, 5.0], [3.0, 3.0, 5.0]]);
         assert_eq!(of(arc([ends[1], ends[0]])), [[-1.0, -1.0, 5.0], [3.0, 3.0, 5.0]]);
+    }
+
+    #[test]
+    fn an_ellipse_reaches_as_far_as_it_goes() {
+        let ellipse = Ellipse { centre: [1.0, 1.0, 5.0], normal: Z, major: [0.0, 3.0, 0.0], minor: 2.0 };
+        let of = |from, sweep| of(Shape::Ellipse { ellipse, from, sweep });
+        let near = |a: [[f64; 3]; 2], b: [[f64; 3]; 2]| {
+            assert!(a.iter().flatten().zip(b.iter().flatten()).all(|(a, b)| (a - b).abs() < 1e-12), "{a:?}");
+        };
+        near(of([1.0, 4.0, 5.0], TAU), [[-1.0, -2.0, 5.0], [3.0, 4.0, 5.0]]);
+        // From its top over the left to the bottom.
+        near(of([1.0, 4.0, 5.0], 0.5 * TAU), [[-1.0, -2.0, 5.0], [1.0, 4.0, 5.0]]);
     }
 
     #[test]

@@ -4,13 +4,17 @@ use super::Shape;
 use super::frame::MODEL_SPACE;
 use super::group::{Groups, Handles};
 use super::plane::{angle, bulge, object};
-use lineament::curve::BSpline;
+use lineament::curve::{BSpline, Ellipse};
+use lineament::math::vec3::norm;
+use std::f64::consts::TAU;
 use std::io;
 
 /// Bits of group 70: of polylines and splines closed, of a POLYLINE in space, of a VERTEX on one.
 const CLOSED: u8 = 1;
 const POLYLINE_3D: u8 = 8;
 const VERTEX_3D: u8 = 32;
+/// Change of the parameter from which on an ellipse is whole, radians.
+const WHOLE: f64 = TAU - 1e-9;
 /// The code of an extrusion direction.
 const NORMAL: u16 = 210;
 
@@ -50,6 +54,10 @@ impl Shape<'_> {
                 let [from, to] = ends.map(|p| angle(centre, object(*normal, p)));
                 out.real(50, from)?;
                 out.real(51, to)
+            }
+            Shape::Ellipse { ellipse: found, from, sweep } => {
+                begin(out, "ELLIPSE", "AcDbEllipse")?;
+                ellipse(out, found, *from, *sweep)
             }
             Shape::Spline(curve) => {
                 begin(out, "SPLINE", "AcDbSpline")?;
@@ -112,6 +120,18 @@ fn round(out: &mut Groups, centre: [f64; 3], radius: f64, normal: [f64; 3]) -> i
     out.place(10, centre)?;
     out.real(40, radius)?;
     out.place(NORMAL, normal)
+}
+
+/// The place and the axes of an ellipse are those of the world.
+fn ellipse(out: &mut Groups, found: &Ellipse, from: [f64; 3], sweep: f64) -> io::Result<()> {
+    let whole = sweep >= WHOLE;
+    let first = if whole { 0.0 } else { found.angle(from).rem_euclid(TAU) };
+    out.place(10, found.centre)?;
+    out.place(11, found.major)?;
+    out.place(NORMAL, found.normal)?;
+    out.real(40, found.minor / norm(found.major))?;
+    out.real(41, first)?;
+    out.real(42, if whole { TAU } else { first + sweep })
 }
 
 fn polyline(

@@ -1,8 +1,8 @@
 //! Points, directions, placements and curves (ISO 10303-42).
 
 use super::{Id, List, Real, Step};
-use lineament::curve::{BSpline, Round};
-use lineament::math::vec3::{distance, sub, unit};
+use lineament::curve::{BSpline, Ellipse, Round};
+use lineament::math::vec3::{distance, norm, sub, unit};
 use std::io;
 
 impl Step<'_> {
@@ -32,6 +32,13 @@ impl Step<'_> {
         let towards = unit(sub(first, round.centre));
         let place = self.placement(round.centre, round.normal, towards)?;
         self.add(format_args!("CIRCLE('{name}',#{place},{})", Real(round.radius)))
+    }
+
+    /// An ellipse; its parameter is that of its own.
+    pub fn ellipse(&mut self, name: &str, ellipse: &Ellipse) -> io::Result<Id> {
+        let size = norm(ellipse.major);
+        let place = self.placement(ellipse.centre, ellipse.normal, unit(ellipse.major))?;
+        self.add(format_args!("ELLIPSE('{name}',#{place},{},{})", Real(size), Real(ellipse.minor)))
     }
 
     /// A curve from a parameter of its basis to another.
