@@ -72,6 +72,7 @@ def drawn(ezdxf, entity):
         return kind.lower(), np.array([tuple(v) for v in entity.vertices(angles)])
     if kind == "ELLIPSE":
         first, last = entity.dxf.start_param, entity.dxf.end_param
+        last = first + ((last - first) % math.tau or math.tau)
         return "ellipse", np.array([tuple(v) for v in entity.vertices(first + share * (last - first))])
     if kind == "SPLINE":
         tool = entity.construction_tool()
@@ -95,7 +96,7 @@ def compare(entities, curves, ezdxf):
     wrong, worst = abs(len(entities) - len(curves)), 0.0
     for entity, curve in zip(entities, curves):
         kind, points = drawn(ezdxf, entity)
-        if curve.get("sweep_deg") == 360:  # From a node back to it.
+        if curve.get("sweep_deg") == 360 and curve["type"] == "arc":  # From a node back to it.
             curve = dict(curve, type="circle")
         if kind != curve["type"].replace("b-spline", "spline"):
             wrong += 1
@@ -179,7 +180,7 @@ def wireframe(_, path):
     from OCP import BRepAdaptor
     shape, said = read_step(path)
     curves = [c for s in json.load(open(path.replace(".step", ".json")))["strips"] for c in s["curves"]]
-    names = {"Line": ("line",), "Circle": ("arc", "circle"), "BSplineCurve": ("b-spline",)}
+    names = {"Line": ("line",), "Circle": ("arc", "circle"), "Ellipse": ("ellipse",), "BSplineCurve": ("b-spline",)}
     wrong, worst = 0, 0.0
     edges = parts(shape, "edge")
     for edge, curve in zip(edges, curves):

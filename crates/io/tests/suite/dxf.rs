@@ -5,6 +5,7 @@ mod sections;
 
 use crate::common::network;
 use lineament::curve::BSpline;
+use lineament::shapes::{Sampling, Scan};
 use lineament::{Extraction, Method, Network, Params, extract, shapes};
 use lineament_io::{NetworkContext, NetworkFormat, PointTable, Unit, write_network_to, write_patches};
 use parse::{Drawing, Point, near};
@@ -54,6 +55,22 @@ fn same(entity: &parse::Entity, curve: &Value) {
                 "{entity:?} {curve}"
             );
         }
+        "ellipse" => {
+            assert_eq!(entity.kind, "ELLIPSE");
+            let (major, normal) = (entity.place(11), entity.place(210));
+            assert!(near(entity.place(10), point(&curve["center"])) && near(major, point(&curve["major"])));
+            let [x, y, z] = major;
+            let minor = entity.real(40) * (x * x + y * y + z * z).sqrt();
+            assert!(
+                near(normal, point(&curve["normal"])) && (minor - number("minor")).abs() < 1e-6,
+                "{curve}"
+            );
+            let sweep = (entity.real(42) - entity.real(41)).rem_euclid(std::f64::consts::TAU).to_degrees();
+            assert!(
+                (sweep - number("sweep_deg")).abs() < 1e-6 || (sweep == 0.0 && whole),
+                "{entity:?} {curve}"
+            );
+        }
         kind if kind == "circle" || whole => {
             assert_eq!(entity.kind, "CIRCLE");
             assert!(
@@ -93,8 +110,11 @@ fn same(entity: &parse::Entity, curve: &Value) {
 fn a_network_is_the_typed_curves_of_its_json() {
     let mut kinds = agrees(&bracket(Method::Auto).network);
     kinds.extend(agrees(&found("equal-cylinders", Method::Auto).network));
+    let scan = Scan::new(Sampling::BlueNoise { count: 12_000 });
+    let slots = shapes::slotted_plate().sample(&scan);
+    kinds.extend(agrees(&extract(&slots.cloud, &Params::default()).unwrap().network));
     let has = |kind: &&str| kinds.iter().any(|k| k == kind);
-    assert!(["LINE", "ARC", "CIRCLE"].iter().all(has), "{kinds:?}");
+    assert!(["LINE", "ARC", "CIRCLE", "ELLIPSE"].iter().all(has), "{kinds:?}");
 }
 
 /// Holds the drawing of a network against its JSON; returns the kinds of its curves.
@@ -130,7 +150,7 @@ fn map_coordinates_and_splines_are_given_back_bit_for_bit() {
         same(entity, curve);
     }
     assert_eq!(drawing.entities[0].place(10), network.strips[0].points[0]);
-    assert_eq!(drawing.entities[3].places(10)[1], [1.0 / 3.0, 5648349.895035, -1e-9]);
+    assert_eq!(drawing.entities[4].places(10)[1], [1.0 / 3.0, 5648349.895035, -1e-9]);
     assert_eq!(drawing.corner("$EXTMAX")[1], 5648349.895035);
 }
 

@@ -44,6 +44,7 @@ fn same(kind: &str, points: &[Point], curve: &Json) {
         ("line", "LINE") => ends(),
         ("circle", "CIRCLE") => on_circle(),
         ("arc", "CIRCLE") => ends() && on_circle(),
+        ("ellipse", "ELLIPSE") => number("sweep_deg") == 360.0 || ends(),
         ("b-spline", "B_SPLINE_CURVE_WITH_KNOTS") => {
             let numbers = |key: &str| curve[key].as_array().unwrap().iter();
             let wanted = BSpline {

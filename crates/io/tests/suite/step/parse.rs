@@ -198,6 +198,12 @@ impl File {
                 let r = File::number(&values[2]);
                 Box::new(move |t| [0, 1, 2].map(|k| centre[k] + r * (t.cos() * x[k] + t.sin() * y[k])))
             }
+            "ELLIPSE" => {
+                let [centre, z, x] = self.axes(File::id(&values[1]));
+                let y = cross(z, x);
+                let (a, b) = (File::number(&values[2]), File::number(&values[3]));
+                Box::new(move |t| [0, 1, 2].map(|k| centre[k] + a * t.cos() * x[k] + b * t.sin() * y[k]))
+            }
             _ => {
                 let curve = self.spline(values);
                 Box::new(move |t| curve.point(t))

@@ -131,7 +131,7 @@ fn ellipse(out: &mut Groups, found: &Ellipse, from: [f64; 3], sweep: f64) -> io:
     out.place(NORMAL, found.normal)?;
     out.real(40, found.minor / norm(found.major))?;
     out.real(41, first)?;
-    out.real(42, if whole { TAU } else { first + sweep })
+    out.real(42, if whole { TAU } else { (first + sweep).rem_euclid(TAU) })
 }
 
 fn polyline(
