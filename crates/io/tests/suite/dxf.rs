@@ -55,22 +55,7 @@ fn same(entity: &parse::Entity, curve: &Value) {
                 "{entity:?} {curve}"
             );
         }
-        "ellipse" => {
-            assert_eq!(entity.kind, "ELLIPSE");
-            let (major, normal) = (entity.place(11), entity.place(210));
-            assert!(near(entity.place(10), point(&curve["center"])) && near(major, point(&curve["major"])));
-            let [x, y, z] = major;
-            let minor = entity.real(40) * (x * x + y * y + z * z).sqrt();
-            assert!(
-                near(normal, point(&curve["normal"])) && (minor - number("minor")).abs() < 1e-6,
-                "{curve}"
-            );
-            let sweep = (entity.real(42) - entity.real(41)).rem_euclid(std::f64::consts::TAU).to_degrees();
-            assert!(
-                (sweep - number("sweep_deg")).abs() < 1e-6 || (sweep == 0.0 && whole),
-                "{entity:?} {curve}"
-            );
-        }
+        "ellipse" => oval(entity, curve),
         kind if kind == "circle" || whole => {
             assert_eq!(entity.kind, "CIRCLE");
             assert!(
@@ -86,24 +71,44 @@ fn same(entity: &parse::Entity, curve: &Value) {
             let sweep = (entity.real(51) - entity.real(50)).rem_euclid(360.0);
             assert!((sweep - number("sweep_deg")).abs() < 1e-6, "{entity:?} {curve}");
         }
-        _ => {
-            assert_eq!((entity.kind.as_str(), entity.real(71)), ("SPLINE", number("degree")));
-            let reals = |key: &str| curve[key].as_array().unwrap().iter().map(|v| v.as_f64().unwrap());
-            let read = |periodic, knots: Vec<f64>, controls| BSpline {
-                degree: entity.real(71) as usize,
-                knots,
-                controls,
-                periodic,
-            };
-            let controls = curve["controls"].as_array().unwrap().iter().map(point).collect();
-            let wanted = read(curve["periodic"] == true, reals("knots").collect(), controls);
-            let found = read(false, entity.reals(40), entity.places(10));
-            let (from, to) = wanted.domain();
-            let at = |k: u8| from + (to - from) * f64::from(k) / 50.0;
-            assert!((0..=50).all(|k| near(wanted.point(at(k)), found.point(at(k)))), "{entity:?} {curve}");
-            assert_eq!(entity.real(72) - entity.real(73) - entity.real(71), 1.0);
-        }
+        _ => free(entity, curve),
     }
+}
+
+/// Asserts that a spline is that of JSON.
+fn free(entity: &parse::Entity, curve: &Value) {
+    let number = |key: &str| curve[key].as_f64().unwrap();
+    assert_eq!((entity.kind.as_str(), entity.real(71)), ("SPLINE", number("degree")));
+    let reals = |key: &str| curve[key].as_array().unwrap().iter().map(|v| v.as_f64().unwrap());
+    let read = |periodic, knots: Vec<f64>, controls| BSpline {
+        degree: entity.real(71) as usize,
+        knots,
+        controls,
+        periodic,
+    };
+    let controls = curve["controls"].as_array().unwrap().iter().map(point).collect();
+    let wanted = read(curve["periodic"] == true, reals("knots").collect(), controls);
+    let found = read(false, entity.reals(40), entity.places(10));
+    let (from, to) = wanted.domain();
+    let at = |k: u8| from + (to - from) * f64::from(k) / 50.0;
+    assert!((0..=50).all(|k| near(wanted.point(at(k)), found.point(at(k)))), "{entity:?} {curve}");
+    assert_eq!(entity.real(72) - entity.real(73) - entity.real(71), 1.0);
+}
+
+/// Asserts that an ellipse is that of JSON.
+fn oval(entity: &parse::Entity, curve: &Value) {
+    let number = |key: &str| curve[key].as_f64().unwrap();
+    assert_eq!(entity.kind, "ELLIPSE");
+    let (major, normal) = (entity.place(11), entity.place(210));
+    assert!(near(entity.place(10), point(&curve["center"])) && near(major, point(&curve["major"])));
+    let [x, y, z] = major;
+    let minor = entity.real(40) * (x * x + y * y + z * z).sqrt();
+    assert!(near(normal, point(&curve["normal"])) && (minor - number("minor")).abs() < 1e-6, "{curve}");
+    let sweep = (entity.real(42) - entity.real(41)).rem_euclid(std::f64::consts::TAU).to_degrees();
+    assert!(
+        (sweep - number("sweep_deg")).abs() < 1e-6 || (sweep == 0.0 && number("sweep_deg") == 360.0),
+        "{entity:?} {curve}"
+    );
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::super::relations::Regularised;
 use super::layout::triple;
 use super::rows::System;
 use crate::curve::pieces::{Piece, Shape};
-use crate::curve::{FitOptions, Round, fit};
+use crate::curve::{Ellipse, FitOptions, Round, fit};
 use crate::math::vec3::{add_scaled, distance, scale, sub};
 use crate::network::{Network, Strip};
 
@@ -65,12 +65,10 @@ fn laid(system: &System, x: &[f64], [s, c]: [usize; 2], piece: &Piece) -> Piece 
             let round = round.through(from, to, &samples, 0.0).unwrap_or(round);
             (Shape::Arc { round, sweep: round.sweep_between(from, to) }, [from, to])
         }
-        (Shape::Ellipse { ellipse, sweep }, _) => match ellipse.through(from, to) {
-            Some(ellipse) if joints.is_some() => {
-                (Shape::Ellipse { ellipse, sweep: ellipse.sweep_between(from, to) }, [from, to])
-            }
-            _ => (Shape::Ellipse { ellipse: *ellipse, sweep: *sweep }, [from, to]),
-        },
+        (Shape::Ellipse { ellipse, .. }, _) => {
+            let led = ellipse.through(from, to).filter(|_| joints.is_some());
+            (led.map_or(piece.shape.clone(), |e| stretch(e, from, to)), [from, to])
+        }
         (Shape::Spline(curve), _) if !curve.periodic => {
             let mut curve = curve.clone();
             let last = curve.controls.len() - 1;
@@ -85,6 +83,11 @@ fn laid(system: &System, x: &[f64], [s, c]: [usize; 2], piece: &Piece) -> Piece 
         (shape, _) => (shape.clone(), [from, to]),
     };
     Piece { shape, from: ends[0], to: ends[1], ..piece.clone() }
+}
+
+/// The stretch of an ellipse from one of its points to another.
+fn stretch(ellipse: Ellipse, from: [f64; 3], to: [f64; 3]) -> Shape {
+    Shape::Ellipse { ellipse, sweep: ellipse.sweep_between(from, to) }
 }
 
 /// The greatest distance of a piece's ends, its middle and its centre from where they were.

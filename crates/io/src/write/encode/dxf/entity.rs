@@ -71,13 +71,9 @@ impl Shape<'_> {
                 begin(out, "POLYLINE", "AcDb3dPolyline")?;
                 polyline(out, points, *closed, layer, (own, handles))
             }
-            Shape::Text { at, height, text, normal } => {
+            Shape::Text { at, height, text: letters, normal } => {
                 begin(out, "TEXT", "AcDbText")?;
-                out.place(10, object(*normal, *at))?;
-                out.real(40, *height)?;
-                out.put(1, text)?;
-                out.place(NORMAL, *normal)?;
-                out.put(100, "AcDbText")
+                text(out, (letters, *height), *at, *normal)
             }
         }
     }
@@ -120,6 +116,14 @@ fn round(out: &mut Groups, centre: [f64; 3], radius: f64, normal: [f64; 3]) -> i
     out.place(10, centre)?;
     out.real(40, radius)?;
     out.place(NORMAL, normal)
+}
+
+fn text(out: &mut Groups, (letters, height): (&str, f64), at: [f64; 3], normal: [f64; 3]) -> io::Result<()> {
+    out.place(10, object(normal, at))?;
+    out.real(40, height)?;
+    out.put(1, letters)?;
+    out.place(NORMAL, normal)?;
+    out.put(100, "AcDbText")
 }
 
 /// The place and the axes of an ellipse are those of the world.
