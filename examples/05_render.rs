@@ -10,11 +10,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // Each point becomes a small disc in its tangent plane; together the discs hide the lines behind them.
     let (surfels, spacing) = surfels(&cloud)?;
-    let scene =
-        Scene { surfels: &surfels, network: Some(&found.network), slices: &[], verdicts: &[], spacing };
+    let scene = Scene { surfels: &surfels, network: Some(&found.network), spacing, ..Scene::default() };
 
     // `View::Best` tries many directions and takes the one that shows most; `View::parse("top")` names one.
-    let settings = Settings { view: View::Best, width: 640, height: 480, ..Settings::default() };
+    let settings = Settings { views: vec![View::Best], width: 640, height: 480, ..Settings::default() };
     let picture = render(&scene, &settings)?;
     assert_eq!(picture.rgb.len(), 3 * picture.width * picture.height);
 

@@ -28,7 +28,7 @@ pub use info::Info;
 pub use man::Man;
 pub use params::Params;
 pub use patches::Patches;
-pub use render::Render;
+pub use render::{HiddenLines, LineColor, PictureStyle, PointColor, Render};
 pub use report::Report;
 pub use section::{Section, Slicing};
 pub use slices::Slices;

@@ -64,8 +64,8 @@
 //!
 //! let cloud = lineament::shapes::cube_386().cloud;
 //! let (surfels, spacing) = surfels(&cloud)?;
-//! let scene = Scene { surfels: &surfels, network: None, slices: &[], verdicts: &[], spacing };
-//! let settings = Settings { view: View::Best, width: 160, height: 120, ..Settings::default() };
+//! let scene = Scene { surfels: &surfels, spacing, ..Scene::default() };
+//! let settings = Settings { views: vec![View::Best], width: 160, height: 120, ..Settings::default() };
 //! assert_eq!(render(&scene, &settings)?.rgb.len(), 3 * 160 * 120);
 //! # Ok::<(), lineament::Error>(())
 //! ```

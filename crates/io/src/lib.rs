@@ -32,14 +32,14 @@ pub use format::{
 };
 pub use output::{Output, check_output};
 pub use read::{
-    LasFrame, LasRecord, LineFile, Missing, ReadOptions, Returns, Scan, read, read_all, read_from,
-    read_lines, read_marks,
+    LasFrame, LasRecord, LineFile, MeshFile, Missing, ReadOptions, Returns, Scan, read, read_all, read_from,
+    read_lines, read_marks, read_mesh,
 };
 pub use unit::Unit;
 pub use write::{
     GraphTable, ListFormat, NetworkContext, Parameter, PointTable, Report, SectionContext, StepProtocol,
-    label_clutter, list_format, write_cleaned, write_graph, write_graph_to, write_list, write_mesh,
-    write_mesh_to, write_network, write_network_to, write_patches, write_picture, write_picture_to,
-    write_points, write_points_to, write_report, write_report_to, write_sections, write_sections_to,
-    write_slice_picture, write_stages, write_verdicts,
+    label_clutter, list_format, write_cleaned, write_drawing, write_drawing_to, write_graph, write_graph_to,
+    write_list, write_mesh, write_mesh_to, write_network, write_network_to, write_patches, write_picture,
+    write_picture_to, write_points, write_points_to, write_report, write_report_to, write_sections,
+    write_sections_to, write_slice_picture, write_stages, write_verdicts,
 };

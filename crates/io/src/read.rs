@@ -183,6 +183,7 @@ pub use join::read_all;
 pub use las::{LasFrame, Record as LasRecord};
 pub use lines::{LineFile, read_lines};
 pub use marks::read_marks;
+pub use mesh::{MeshFile, read_mesh};
 
 /// Reads the point cloud in the file at `path`; `-` is standard input.
 ///

@@ -1,5 +1,6 @@
 //! From networks, points, patches, sections, graphs and meshes to files.
 
+mod drawing;
 mod encode;
 mod graph;
 mod list;
@@ -13,6 +14,7 @@ mod section;
 mod stages;
 mod verdicts;
 
+pub use drawing::{write_drawing, write_drawing_to};
 pub use encode::step::StepProtocol;
 pub use graph::{GraphTable, write_graph, write_graph_to};
 pub use list::{ListFormat, list_format, write_list};

@@ -26,7 +26,8 @@ pub struct Options {
 impl Options {
     fn settings(self) -> Result<Settings, Fault> {
         let Options { view, up, width, height, caption } = self;
-        let settings = Settings { view: View::parse(&view)?, up, width, height, caption };
+        let views = vec![View::parse(&view)?];
+        let settings = Settings { views, up, width, height, caption, ..Settings::default() };
         settings.check()?;
         Ok(settings)
     }
@@ -45,11 +46,11 @@ pub fn render<'py>(
     let picture = on_rows(points, None, move |points, _| {
         let (surfels, spacing) = surfels(points)?;
         Ok(draw(
-            &Scene { surfels: &surfels, network: network.as_ref(), slices: &[], verdicts: &[], spacing },
+            &Scene { surfels: &surfels, network: network.as_ref(), spacing, ..Scene::default() },
             &settings,
         )?)
     })?;
-    let Picture { width, height, rgb } = picture;
+    let Picture { width, height, rgb, .. } = picture;
     rgb.into_pyarray(points.py()).reshape([height, width, 3])
 }
 
@@ -77,7 +78,7 @@ pub fn write_picture(
 fn taken(picture: &PyReadonlyArray3<'_, u8>) -> Result<Picture, Fault> {
     match *picture.shape() {
         [height, width, 3] => {
-            Ok(Picture { width, height, rgb: picture.as_array().iter().copied().collect() })
+            Ok(Picture { width, height, rgb: picture.as_array().iter().copied().collect(), alpha: None })
         }
         _ => Err(Fault::Argument(format!("a picture of shape {:?}: expected (H, W, 3)", picture.shape()))),
     }

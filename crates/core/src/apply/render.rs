@@ -4,12 +4,15 @@
 //! Every point is a surfel: a small disc in the tangent plane. The discs give a surface without holes to shade and
 //! to hide lines behind; when points stand far enough apart on the picture they are drawn as dots on it. Lines are
 //! stroked on top by kind, their hidden parts faint and dashed.
+//!
+//! [`draw`] gives the lines alone, with the outlines of the surface and without what it hides, as shapes for vectors.
 
 mod best;
 mod camera;
 mod caption;
 mod compose;
 mod depth_buffer;
+mod drawing;
 mod hidden;
 mod lines;
 mod picture;
@@ -19,9 +22,11 @@ mod stroke;
 mod style;
 mod surfel;
 mod tone;
+mod triangles;
 
 pub use camera::View;
-pub use compose::render;
+pub use compose::{draw, render};
+pub use drawing::{Drawing, Layer, Shape, Text};
 pub use picture::Picture;
-pub use scene::{Scene, Settings, Slice};
+pub use scene::{Color, Hidden, Scene, Settings, Slice, Style, Triangles};
 pub use surfel::{Surfel, surfels};

@@ -22,10 +22,18 @@ pub fn write_picture(path: &Path, inputs: &[PathBuf], picture: &Picture) -> Resu
 /// Those of the stream.
 pub fn write_picture_to(out: &mut dyn Write, picture: &Picture) -> io::Result<()> {
     let mut encoder = png::Encoder::new(&mut *out, picture.width as u32, picture.height as u32);
-    encoder.set_color(png::ColorType::Rgb);
+    let color = if picture.alpha.is_some() { png::ColorType::Rgba } else { png::ColorType::Rgb };
+    encoder.set_color(color);
     encoder.set_compression(png::Compression::Balanced);
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(&picture.rgb)?;
+    match &picture.alpha {
+        None => writer.write_image_data(&picture.rgb)?,
+        Some(alpha) => {
+            let pixels = picture.rgb.chunks_exact(3).zip(alpha);
+            let rgba: Vec<u8> = pixels.flat_map(|(rgb, &a)| [rgb[0], rgb[1], rgb[2], a]).collect();
+            writer.write_image_data(&rgba)?;
+        }
+    }
     writer.finish()?;
     out.flush()
 }

@@ -14,7 +14,7 @@ use crate::source::Input;
 fn settings(args: &Evaluate) -> Result<Settings, Failure> {
     let usage = |e: lineament::Error| Failure { code: Code::Usage, advice: None, ..Failure::from(e) };
     let (view, (width, height)) = (View::parse(&args.view).map_err(usage)?, args.size);
-    let settings = Settings { view, width, height, ..Settings::default() };
+    let settings = Settings { views: vec![view], width, height, ..Settings::default() };
     settings.check().map_err(usage)?;
     Ok(settings)
 }
@@ -34,9 +34,9 @@ pub fn write(
 ) -> Result<(), Failure> {
     let settings = settings(args)?;
     if extension(path) == "svg" {
-        let view = match settings.view {
-            View::Best => None,
-            View::From(from) => Some(from.map(|x| -x)),
+        let view = match settings.views[..] {
+            [View::From(from)] => Some(from.map(|x| -x)),
+            _ => None,
         };
         return Ok(io::write_verdicts(path, inputs, &compared.stretches, view)?);
     }
@@ -45,8 +45,7 @@ pub fn write(
         None => (Vec::new(), compared.spacing),
     };
     let settings = Settings { up: scan.map_or(settings.up, Input::up), ..settings };
-    let scene =
-        Scene { surfels: &surfels, network: None, slices: &[], verdicts: &compared.stretches, spacing };
+    let scene = Scene { surfels: &surfels, verdicts: &compared.stretches, spacing, ..Scene::default() };
     let picture = render(&scene, &settings).map_err(|e| Failure { advice: None, ..e.into() })?;
     Ok(io::write_picture(path, inputs, &picture)?)
 }

@@ -13,32 +13,63 @@ pub enum View {
 }
 
 impl View {
+    /// Reads a list of views with commas between them, as [`View::parse`] reads each; three numbers in a row are a vector.
+    ///
+    /// # Errors
+    /// As [`View::parse`].
+    pub fn parse_list(text: &str) -> Result<Vec<Self>, Error> {
+        let words: Vec<&str> = text.split(',').map(str::trim).collect();
+        let mut views = Vec::new();
+        let mut at = 0;
+        while at < words.len() {
+            let count = if words[at].parse::<f64>().is_ok() { 3 } else { 1 };
+            views.push(View::parse(&words[at..words.len().min(at + count)].join(","))?);
+            at += count;
+        }
+        Ok(views)
+    }
+
+    /// The name of a view as [`View::parse`] reads it; of a direction without one its numbers.
+    pub fn name(&self) -> String {
+        match self {
+            View::Best => "auto".into(),
+            View::From(from) => NAMED
+                .iter()
+                .find(|(_, named)| named == from)
+                .map_or_else(|| from.map(|x| x.to_string()).join(","), |(name, _)| name.to_string()),
+        }
+    }
+
     /// Reads `auto`, `top`, `bottom`, `front`, `back`, `left`, `right`, `iso` or `X,Y,Z`, the vector towards the eye.
     /// The named ones take z as up and look along +y from the front.
     ///
     /// # Errors
     /// [`Error::Parameter`] with the text if it is none of these, or the vector has no direction.
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let from = match text {
-            "auto" => return Ok(View::Best),
-            "top" => [0.0, 0.0, 1.0],
-            "bottom" => [0.0, 0.0, -1.0],
-            "front" => [0.0, -1.0, 0.0],
-            "back" => [0.0, 1.0, 0.0],
-            "left" => [-1.0, 0.0, 0.0],
-            "right" => [1.0, 0.0, 0.0],
-            "iso" => [1.0, -1.0, 1.0],
-            other => parse_vector(other).ok_or_else(|| Error::Parameter {
-                key: "view".into(),
-                value: other.into(),
-                expected: "auto, top, bottom, front, back, left, right, iso, or a direction X,Y,Z \
-                           towards the eye, such as 1,-2,1"
-                    .into(),
-            })?,
-        };
+        if text == "auto" {
+            return Ok(View::Best);
+        }
+        let named = NAMED.iter().find(|(name, _)| *name == text).map(|(_, from)| *from);
+        let from = named.or_else(|| parse_vector(text)).ok_or_else(|| Error::Parameter {
+            key: "view".into(),
+            value: text.into(),
+            expected: "auto, top, bottom, front, back, left, right, iso, or a direction X,Y,Z towards the eye, such as 1,-2,1"
+                .into(),
+        })?;
         Ok(View::From(from))
     }
 }
+
+/// The directions that have names.
+const NAMED: [(&str, [f64; 3]); 7] = [
+    ("top", [0.0, 0.0, 1.0]),
+    ("bottom", [0.0, 0.0, -1.0]),
+    ("front", [0.0, -1.0, 0.0]),
+    ("back", [0.0, 1.0, 0.0]),
+    ("left", [-1.0, 0.0, 0.0]),
+    ("right", [1.0, 0.0, 0.0]),
+    ("iso", [1.0, -1.0, 1.0]),
+];
 
 fn parse_vector(text: &str) -> Option<[f64; 3]> {
     let values: Vec<f64> = text.split(',').map(|t| t.trim().parse().ok()).collect::<Option<_>>()?;
@@ -176,6 +207,18 @@ mod tests {
         let seen = points.map(|p| camera.project(p));
         let least = seen.iter().map(|p| (p[0] - 20.0).min(380.0 - p[0]).min(p[1] - 20.0).min(280.0 - p[1]));
         assert!(least.fold(f32::INFINITY, f32::min).abs() < 1e-2);
+    }
+
+    #[test]
+    fn lists_hold_names_and_vectors() {
+        let views = View::parse_list("top, 1,-2,1,auto").unwrap();
+        let views: [View; 3] = views.try_into().unwrap();
+        let expected = [View::From([0.0, 0.0, 1.0]), View::From([1.0, -2.0, 1.0]), View::Best];
+        assert_eq!(views, expected);
+        assert_eq!(views.map(|v| v.name()), ["top", "1,-2,1", "auto"]);
+        for bad in ["", "top,", "1,2,top", "top,1,2"] {
+            assert!(View::parse_list(bad).is_err(), "{bad}");
+        }
     }
 
     #[test]

@@ -5,35 +5,58 @@ use super::depth_buffer::DepthBuffer;
 /// A part of a line that is visible, or hidden, as a whole.
 pub(super) struct Stretch {
     pub visible: bool,
-    /// Positions on the surface's pixel grid, in order; at least two.
+    /// Positions on the surface's pixel grid, in order; at least two: its ends, and the points of the line between them.
     pub points: Vec<[f32; 2]>,
 }
 
 /// Pixels of the surface between two tests.
 const STEP: f32 = 1.5;
+/// Greatest length of a visible end of a hidden line, in biases: it seems visible up to there where the surface above it rises by half.
+const STUB: f32 = 2.0;
 /// Number of samples on either side of a sample whose majority, with its own value, decides: so single pixels do not flicker.
 const MAJORITY_REACH: usize = 5;
 
 /// Cuts a line of projected points where it passes behind the surface by more than `bias` pixels of depth.
 pub(super) fn stretches(line: &[[f32; 3]], surface: &DepthBuffer, bias: f32) -> Vec<Stretch> {
     let samples = resample(line);
-    let seen: Vec<bool> = samples.iter().map(|&p| is_visible(p, surface, bias)).collect();
-    let seen = majority(&seen);
+    let seen: Vec<bool> = samples.iter().map(|s| is_visible(s.at, surface, bias)).collect();
+    let mut seen = majority(&seen);
+    absorb(&samples, &mut seen, false, bias);
+    absorb(&samples, &mut seen, true, STUB * bias);
     let mut stretches: Vec<Stretch> = Vec::new();
     for (i, (sample, &visible)) in samples.iter().zip(&seen).enumerate() {
-        let point = [sample[0], sample[1]];
+        let point = [sample.at[0], sample.at[1]];
+        let cut = i > 0 && seen[i - 1] != visible;
+        let kept = sample.vertex || seen.get(i + 1).is_none_or(|&next| next != visible);
         match stretches.last_mut() {
-            Some(stretch) if stretch.visible == visible => stretch.points.push(point),
-            Some(stretch) => {
+            Some(stretch) if cut => {
                 stretch.points.push(point);
                 stretches.push(Stretch { visible, points: vec![point] });
             }
-            None if i == 0 => stretches.push(Stretch { visible, points: vec![point] }),
-            None => {}
+            Some(stretch) if kept => stretch.points.push(point),
+            Some(_) => {}
+            None => stretches.push(Stretch { visible, points: vec![point] }),
         }
     }
     stretches.retain(|stretch| stretch.points.len() > 1);
     stretches
+}
+
+/// Gives stretches that are `visible`, and shorter than `length` pixels, the value of the others beside them: the bias of the depth
+/// cannot tell about these. Where a line behind the surface meets an edge that is seen, its end lies less than the bias below; and
+/// the discs that make up a rough surface cover a visible edge here and there.
+fn absorb(samples: &[Sample], seen: &mut [bool], visible: bool, length: f32) {
+    let mut runs: Vec<(usize, usize)> = Vec::new();
+    for run in seen.chunk_by(|a, b| a == b) {
+        let from = runs.last().map_or(0, |last| last.1);
+        runs.push((from, from + run.len()));
+    }
+    if runs.len() < 2 {
+        return;
+    }
+    let long = |&(from, to): &(usize, usize)| samples[to - 1].along - samples[from].along;
+    runs.retain(|run| seen[run.0] == visible && long(run) < length);
+    runs.iter().for_each(|&(from, to)| seen[from..to].fill(!visible));
 }
 
 /// Whether nothing lies more than `bias` pixels nearer to the eye.
@@ -41,16 +64,30 @@ pub(super) fn is_visible([x, y, z]: [f32; 3], surface: &DepthBuffer, bias: f32) 
     surface.at(x, y) <= z + bias
 }
 
+/// A place on a line.
+struct Sample {
+    at: [f32; 3],
+    /// Length from the beginning of the line on the picture.
+    along: f32,
+    /// Whether it is a point of the line itself.
+    vertex: bool,
+}
+
 /// The points of the line, and others between them, at most [`STEP`] apart.
-fn resample(line: &[[f32; 3]]) -> Vec<[f32; 3]> {
-    let mut samples: Vec<[f32; 3]> = line.first().copied().into_iter().collect();
+fn resample(line: &[[f32; 3]]) -> Vec<Sample> {
+    let first = line.first().map(|&at| Sample { at, along: 0.0, vertex: true });
+    let mut samples: Vec<Sample> = first.into_iter().collect();
+    let mut along = 0.0;
     for pair in line.windows(2) {
         let [a, b] = [pair[0], pair[1]];
-        let steps = ((b[0] - a[0]).hypot(b[1] - a[1]) / STEP).ceil().max(1.0) as usize;
+        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let steps = (length / STEP).ceil().max(1.0) as usize;
         samples.extend((1..=steps).map(|k| {
             let t = k as f32 / steps as f32;
-            std::array::from_fn(|i| a[i] + (b[i] - a[i]) * t)
+            let at = std::array::from_fn(|i| a[i] + (b[i] - a[i]) * t);
+            Sample { at, along: along + t * length, vertex: k == steps }
         }));
+        along += length;
     }
     samples
 }

@@ -3,10 +3,9 @@
 
 use super::camera::Camera;
 use super::depth_buffer::DepthBuffer;
+use super::drawing::{Layer, Shape};
 use super::hidden::stretches;
-use super::picture::Picture;
 use super::scene::Slice;
-use super::stroke::Mask;
 use super::style::SLICE_COLOUR;
 
 /// Width of an outline, in widths of a strip.
@@ -24,18 +23,17 @@ pub(super) struct Page<'a> {
     pub bias: f32,
 }
 
-/// Draws the outlines; `pen` is the width of a strip, pixels.
-pub(super) fn draw(slices: &[Slice], page: &Page, pen: f32, picture: &mut Picture) {
-    let mut mask = Mask::new(picture.width, picture.height);
+/// The outlines; `pen` is the width of a strip, pixels.
+pub(super) fn layer(slices: &[Slice], page: &Page, pen: f32) -> Layer {
+    let mut layer = Layer { opacity: OPACITY, ..Layer::new("slice", SLICE_COLOUR) };
     for slice in slices {
         let line = page.camera.line(slice.points, slice.closed);
         for stretch in stretches(&line, page.surface, page.bias).iter().filter(|s| s.visible) {
-            let points: Vec<[f32; 2]> =
-                stretch.points.iter().map(|p| p.map(|x| x / page.fine as f32)).collect();
-            mask.polyline(&points, WIDTH * pen);
+            let points = stretch.points.iter().map(|p| p.map(|x| x / page.fine as f32)).collect();
+            layer.shapes.push(Shape::Line { points, width: WIDTH * pen, dash: None });
         }
     }
-    mask.paint(picture, SLICE_COLOUR, OPACITY);
+    layer
 }
 
 #[cfg(test)]
@@ -48,7 +46,7 @@ mod tests {
     fn outlines_are_seen_before_the_surface_and_not_behind_it() {
         let (surfels, spacing) = surfels(&shapes::cube_386().cloud).unwrap();
         let settings = Settings {
-            view: View::From([0.0, 0.0, 1.0]),
+            views: vec![View::From([0.0, 0.0, 1.0])],
             width: 200,
             height: 200,
             caption: false,
@@ -58,9 +56,7 @@ mod tests {
             (low.min(s.position[2]), high.max(s.position[2]))
         });
         let drawn = |slices: &[Slice]| {
-            render(&Scene { surfels: &surfels, network: None, slices, verdicts: &[], spacing }, &settings)
-                .unwrap()
-                .rgb
+            render(&Scene { surfels: &surfels, slices, spacing, ..Scene::default() }, &settings).unwrap().rgb
         };
         let bare = drawn(&[]);
         let green = |z: f64| {

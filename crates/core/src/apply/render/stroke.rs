@@ -2,6 +2,11 @@
 
 use super::picture::{Colour, Picture};
 
+/// Length in pixels of the pieces in which lines are covered.
+const PIECE: f32 = 24.0;
+/// Length beyond that of any line on a picture.
+const FAR: f32 = 1e6;
+
 /// Coverage of each pixel by one colour, 0 to 1. Overlapping shapes cover once, so joints do not darken.
 pub(super) struct Mask {
     width: usize,
@@ -17,17 +22,54 @@ impl Mask {
 
     /// Covers a line of this many pixels in width, with round ends.
     pub fn polyline(&mut self, points: &[[f32; 2]], width: f32) {
-        points.windows(2).for_each(|pair| self.segment(pair[0], pair[1], 0.5 * width));
+        points.windows(2).for_each(|pair| self.stroke(pair[0], pair[1], 0.5 * width));
     }
 
     /// Covers dashes of a line: `dash` pixels drawn, `gap` pixels left out, beginning at its first point.
     pub fn dashes(&mut self, points: &[[f32; 2]], width: f32, dash: f32, gap: f32) {
-        let mut along = 0.0;
+        let period = dash + gap;
+        let mut along = 0.0f32;
         for pair in points.windows(2) {
-            if along % (dash + gap) < dash {
-                self.segment(pair[0], pair[1], 0.5 * width);
+            let [a, b] = [pair[0], pair[1]];
+            let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+            // Longer than the picture, or not finite.
+            if !(length > 0.0 && length < FAR) {
+                continue;
             }
-            along += (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
+            let at = |t: f32| [0, 1].map(|i| a[i] + (b[i] - a[i]) * (t / length).clamp(0.0, 1.0));
+            let first = (along / period).floor();
+            let last = ((along + length) / period).floor();
+            for k in first as i64..=last as i64 {
+                let from = k as f32 * period - along;
+                if from < length && from + dash > 0.0 {
+                    self.stroke(at(from), at(from + dash), 0.5 * width);
+                }
+            }
+            along = (along + length) % period;
+        }
+    }
+
+    /// Covers a rectangle of whole pixels.
+    pub fn fill(&mut self, [x, y]: [f32; 2], [width, height]: [f32; 2]) {
+        let clip = |v: f32, most: usize| (v.max(0.0) as usize).min(most);
+        for row in clip(y, self.height)..clip(y + height, self.height) {
+            self.coverage[row * self.width..][clip(x, self.width)..clip(x + width, self.width)].fill(1.0);
+        }
+    }
+
+    /// Whether a position is covered.
+    pub fn holds(&self, [x, y]: [f32; 2]) -> bool {
+        let inside = x >= 0.0 && y >= 0.0 && x < self.width as f32 && y < self.height as f32;
+        inside && self.coverage[y as usize * self.width + x as usize] > 0.5
+    }
+
+    /// Covers a straight line, in pieces, as each looks at all pixels of its bounding box.
+    fn stroke(&mut self, a: [f32; 2], b: [f32; 2], radius: f32) {
+        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let pieces = if length < FAR { (length / PIECE).ceil().max(1.0) } else { 1.0 };
+        let at = |k: f32| [0, 1].map(|i| a[i] + (b[i] - a[i]) * (k / pieces));
+        for k in 0..pieces as usize {
+            self.segment(at(k as f32), at(k as f32 + 1.0), radius);
         }
     }
 
@@ -52,10 +94,12 @@ impl Mask {
         }
     }
 
-    /// Draws the covered pixels over the picture in one colour.
-    pub fn paint(&self, picture: &mut Picture, colour: Colour, opacity: f32) {
+    /// Draws the covered pixels over the picture in one colour; with `halo` over what is drawn there alone, not over the ground.
+    pub fn paint(&self, picture: &mut Picture, colour: Colour, opacity: f32, halo: bool) {
         for (i, &cover) in self.coverage.iter().enumerate() {
-            if cover > 0.0 {
+            if cover > 0.0 && halo {
+                picture.lighten(i, colour, cover * opacity);
+            } else if cover > 0.0 {
                 picture.blend(i, colour, cover * opacity);
             }
         }

@@ -12,6 +12,8 @@ use crate::parallel;
 /// A point with the disc that represents its part of the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surfel {
+    /// The index of the point in the input.
+    pub source: u32,
     /// World frame.
     pub position: [f64; 3],
     /// Middle of the disc, world frame: the point itself except at borders and edges.
@@ -55,20 +57,23 @@ fn all(local: &Localised) -> (Vec<Surfel>, f64) {
     });
     let mut discs: Vec<(Surfel, f64)> = blocks.into_iter().flatten().collect();
     if k == 0 {
-        discs = points
-            .iter()
-            .map(|&position| (Surfel { position, center: position, normal: [0.0; 3], radius: 1.0 }, 1.0))
-            .collect();
+        discs = points.iter().map(|&position| (disc_alone(position), 1.0)).collect();
     }
     let spacing = discs.iter().map(|d| d.1).sum::<f64>() / discs.len().max(1) as f64;
     let limit = GREATEST_RADIUS * median(discs.iter().map(|d| d.0.radius).collect());
-    let to_world = |s: &Surfel| Surfel {
+    let to_world = |i: usize, s: &Surfel| Surfel {
+        source: local.source[i],
         position: local.frame.to_world(s.position),
         center: local.frame.to_world(s.center),
         radius: s.radius.min(limit) * local.frame.scale,
         ..*s
     };
-    (parallel::map(discs.len(), parallel::QUICK, |i| to_world(&discs[i].0)), spacing * local.frame.scale)
+    (parallel::map(discs.len(), parallel::QUICK, |i| to_world(i, &discs[i].0)), spacing * local.frame.scale)
+}
+
+/// The disc of a point without neighbours.
+fn disc_alone(position: [f64; 3]) -> Surfel {
+    Surfel { source: 0, position, center: position, normal: [0.0; 3], radius: 1.0 }
 }
 
 /// The disc of point `i`, in the plane fitted to it and its neighbours. At a border or an edge, where neighbours lie on one side
@@ -84,7 +89,8 @@ fn disc(points: &[[f64; 3]], i: usize, near: &[u32]) -> Surfel {
     let across = dot(lean, normal.map(f64::from)).abs();
     let along = (dot(lean, lean) - across * across).max(0.0).sqrt();
     let lean = scale(lean, ramp(along / reach, BORDER_LEAN).max(ramp(across / reach, EDGE_LEAN)));
-    Surfel { position: own, center: add(own, lean), normal, radius: (reach - norm(lean)).max(0.3 * reach) }
+    let radius = (reach - norm(lean)).max(0.3 * reach);
+    Surfel { source: i as u32, position: own, center: add(own, lean), normal, radius }
 }
 
 /// A ramp: 0 up to the first bound, 1 from the second on.

@@ -1,7 +1,7 @@
 //! Light and shade of the surface, and the dots on it.
 
 use super::depth_buffer::DepthBuffer;
-use super::picture::{Colour, Picture};
+use super::picture::{Colour, Picture, WHITE};
 use super::surfel::Projected;
 use crate::parallel;
 
@@ -72,21 +72,49 @@ fn draw_dot(s: &Projected, radius: f32, tone: f32, surface: &DepthBuffer, fine: 
     }
 }
 
-/// The picture of tones averaged over blocks of `factor` x `factor`.
-pub(super) fn averaged(fine: &[f32], width: usize, height: usize, factor: usize) -> Picture {
-    let mut picture = Picture { width, height, rgb: vec![0; 3 * width * height] };
+/// The colour of each surfel, if they are not all white.
+pub(super) type Tints<'a> = Option<&'a [Colour]>;
+
+/// The picture of tones averaged over blocks of `factor` x `factor`, in the tints of the surfels; where the ground is transparent, it
+/// shows where there is no surface.
+pub(super) fn averaged(
+    fine: &[f32],
+    surface: &DepthBuffer,
+    tints: Tints,
+    factor: usize,
+    transparent: bool,
+) -> Picture {
+    let (width, height) = (surface.width / factor, surface.height / factor);
+    let mut picture = Picture::empty(width, height, transparent);
+    let block = |x: usize, y: usize| {
+        let rows = (0..factor).map(move |dy| (y * factor + dy) * surface.width + x * factor);
+        rows.flat_map(move |start| start..start + factor)
+    };
+    let share = 1.0 / (factor * factor) as f32;
+    let covered = |x, y| block(x, y).filter(|&at| surface.surfel[at] != u32::MAX).count() as f32 * share;
     parallel::each(picture.rgb.chunks_mut(3 * width), |y, row| {
         for (x, pixel) in row.chunks_exact_mut(3).enumerate() {
-            let block = (0..factor).flat_map(|dy| {
-                let start = (y * factor + dy) * width * factor + x * factor;
-                &fine[start..start + factor]
-            });
-            let tone = block.sum::<f32>() / (factor * factor) as f32;
-            for (byte, ink) in pixel.iter_mut().zip(INK) {
-                *byte = super::picture::to_byte(ink + (1.0 - ink) * tone);
+            let over = if transparent { covered(x, y) } else { 1.0 };
+            let places = block(x, y).filter(|&at| !transparent || surface.surfel[at] != u32::MAX);
+            let mut sum = [0.0; 3];
+            for at in places {
+                let tint = tints.and_then(|t| t.get(surface.surfel[at] as usize)).unwrap_or(&WHITE);
+                for c in 0..3 {
+                    sum[c] += (INK[c] + (tint[c] - INK[c]) * fine[at]) * share;
+                }
+            }
+            if over > 0.0 {
+                for (byte, sum) in pixel.iter_mut().zip(sum) {
+                    *byte = super::picture::to_byte(sum / over);
+                }
             }
         }
     });
+    if let Some(alpha) = &mut picture.alpha {
+        parallel::each(alpha.chunks_mut(width), |y, row| {
+            row.iter_mut().enumerate().for_each(|(x, a)| *a = super::picture::to_byte(covered(x, y)));
+        });
+    }
     picture
 }
 
@@ -104,7 +132,8 @@ mod tests {
 
     #[test]
     fn averaging_keeps_the_mean() {
-        let picture = averaged(&[1.0, 0.0, 1.0, 1.0, 1.0, 0.0, 1.0, 1.0], 2, 1, 2);
+        let surface = DepthBuffer::draw(&[], 4, 2);
+        let picture = averaged(&[1.0, 0.0, 1.0, 1.0, 1.0, 0.0, 1.0, 1.0], &surface, None, 2, false);
         let middle = super::super::picture::to_byte(INK[0] + (1.0 - INK[0]) * 0.5);
         assert_eq!(picture.rgb[0], middle);
         assert_eq!(picture.rgb[3..6], [255; 3]);

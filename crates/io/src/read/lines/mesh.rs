@@ -1,12 +1,12 @@
 //! Meshes as lines: the edges between their faces, by the readers of points.
 
-use super::super::{ReadOptions, by_format, mesh};
+use super::super::mesh;
 use super::LineFile;
 use crate::error::Error;
 use crate::format::Format;
 use crate::source::Source;
 use lineament::evaluate::{Line, LineKind};
-use lineament::mesh::{MeshPoints, lines};
+use lineament::mesh::lines;
 use std::path::Path;
 
 /// Reads faces, and takes the edges at which they meet at more than `angle_deg` degrees.
@@ -18,15 +18,8 @@ pub(super) fn read(path: &Path, format: Format, angle_deg: f64) -> Result<LineFi
     let mut source = Source::new(Box::new(file), name.clone(), Some(length), false).at(path);
     // Recognising the format has looked ahead as far.
     source.peek(1 << 16)?;
-    let options =
-        ReadOptions { attributes: false, mesh: Some(MeshPoints::Vertices), ..ReadOptions::default() };
-    let mut decoded = by_format(&mut source, format, &options)?;
-    let faces = mesh::sound(&mut decoded);
-    if faces.is_empty() {
-        let what = format!("{format} without faces holds no lines");
-        let advice = "give lines (JSON, DXF, STEP, OBJ) or a mesh with faces";
-        return Err(Error::Unsupported { name, what, advice: advice.into() });
-    }
+    let advice = "give lines (JSON, DXF, STEP, OBJ) or a mesh with faces";
+    let (decoded, faces) = mesh::with_faces(&mut source, format, "holds no lines", advice)?;
     let mut out = LineFile::new(format!("{format} mesh"));
     let found = lines(&decoded.cloud.positions, &faces, angle_deg);
     out.lines.lines.extend(found.into_iter().map(|line| {

@@ -18,8 +18,8 @@ pub(super) fn draw(report: &Report, chosen: &Chosen) -> io::Result<Vec<u8>> {
         surfels: &chosen.surfels,
         network: report.network,
         slices: &slices,
-        verdicts: &[],
         spacing: chosen.spacing,
+        ..Scene::default()
     };
     let picture = render(&scene, &settings).map_err(io::Error::other)?;
     let mut bytes = Vec::new();
