@@ -91,7 +91,7 @@ pub enum Command {
     /// Make a mesh of a scan whose edges follow its creases
     #[command(long_about = apply::MESH)]
     Mesh(Mesh),
-    /// Draw a scan and its lines as a PNG picture
+    /// Draw a scan and its lines as a PNG picture, or the lines alone as SVG
     #[command(long_about = render::ABOUT)]
     Render(Render),
     /// Write a report of a scan and its lines that a browser opens

@@ -2,6 +2,7 @@
 mod detect;
 mod e57;
 mod expe;
+mod faces;
 mod foreign;
 mod gltf;
 mod join;
@@ -179,11 +180,11 @@ impl Decoded {
     }
 }
 
+pub use faces::{MeshFile, read_mesh};
 pub use join::read_all;
 pub use las::{LasFrame, Record as LasRecord};
 pub use lines::{LineFile, read_lines};
 pub use marks::read_marks;
-pub use mesh::{MeshFile, read_mesh};
 
 /// Reads the point cloud in the file at `path`; `-` is standard input.
 ///

@@ -2,6 +2,7 @@
 
 mod apply;
 mod cad;
+mod drawings;
 mod listing;
 
 use crate::common::{Sandbox, cube, json};

@@ -27,6 +27,9 @@ fn usage_is_2_and_nothing_is_written() {
         &["classify", "cube.xyz", "-o", "a.json"],
         &["render", "cube.xyz", "-o", "a.jpg"],
         &["render", "cube.xyz", "-o", "a.png", "--view", "sideways"],
+        &["render", "cube.xyz", "-o", "a.png", "--view", "top,1,2"],
+        &["render", "cube.xyz", "-o", "a.svg", "--point-color", "class"],
+        &["render", "cube.xyz", "-o", "a.png", "--point-color", "class", "--network", "none"],
         &["render", "cube.xyz", "-o", "a.png", "--size", "1000000x2"],
         &["completions", "no-such-shell"],
     ];

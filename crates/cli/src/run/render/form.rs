@@ -117,7 +117,7 @@ pub fn known(path: &Path) -> Result<(), Failure> {
 
 /// Segments across the extent of lines without points, at most: the tolerance for lines that lie on a mesh follows from the length of a
 /// segment, and straight lines may have few.
-const SEGMENTS: f64 = 200.0;
+const SEGMENTS: f64 = 60.0;
 
 /// The spacing of lines without points: the mean length of their segments, or less where these are long.
 pub fn spacing(network: &Network, mesh: Option<&io::MeshFile>) -> f64 {

@@ -91,11 +91,12 @@ fn one(scene: &Scene, settings: &Settings, camera: Camera, cell: &Cell) -> (Draw
     drawing.layers.push(slices::layer(scene.slices, &page, pen));
     let mut groups = scene.network.map_or(Vec::new(), |network| lines::strips(network, settings));
     groups.extend(lines::verdicts(scene.verdicts));
-    let layers = lines::layers(&groups, &page, pen, settings);
+    let mut layers = lines::layers(&groups, &page, pen, settings);
     if settings.style == Style::Lines {
         let outlines = silhouette::lines(&surface, &facets, spacing.max(1.0));
         let outlines = cover::beside(outlines, &layers, &page, spacing / FINE as f32 + pen, pen);
         drawing.layers.push(outlines);
+        cover::behind(&mut layers, width, height, pen.max(0.5 * spacing / FINE as f32));
     }
     drawing.layers.extend(layers.into_iter().filter(|l| !l.halo || picture.is_some()));
     if let Some(network) = scene.network {

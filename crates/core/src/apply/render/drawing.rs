@@ -8,6 +8,7 @@ pub(super) mod cover;
 pub(super) mod letters;
 pub(super) mod nodes;
 pub(super) mod raster;
+mod sharpen;
 pub(super) mod silhouette;
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,6 @@
 //! Meshes as lines: the edges between their faces, by the readers of points.
 
-use super::super::mesh;
+use super::super::faces::with_faces;
 use super::LineFile;
 use crate::error::Error;
 use crate::format::Format;
@@ -19,7 +19,7 @@ pub(super) fn read(path: &Path, format: Format, angle_deg: f64) -> Result<LineFi
     // Recognising the format has looked ahead as far.
     source.peek(1 << 16)?;
     let advice = "give lines (JSON, DXF, STEP, OBJ) or a mesh with faces";
-    let (decoded, faces) = mesh::with_faces(&mut source, format, "holds no lines", advice)?;
+    let (decoded, faces) = with_faces(&mut source, format, "holds no lines", advice)?;
     let mut out = LineFile::new(format!("{format} mesh"));
     let found = lines(&decoded.cloud.positions, &faces, angle_deg);
     out.lines.lines.extend(found.into_iter().map(|line| {

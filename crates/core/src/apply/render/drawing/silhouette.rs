@@ -4,14 +4,22 @@
 //! between two pixels is part of an outline if one of them shows the ground, or a surface farther away than the slope and the roughness
 //! of a surface explain.
 
-use super::trace::{Crack, chains};
+use super::sharpen::sharpened;
+use super::trace::{Crack, chains, joined};
 use crate::apply::render::depth_buffer::DepthBuffer;
 use crate::apply::render::surfel::Projected;
 
-/// Least step of the depth at an outline beyond what the discs on both sides span: in spacings, for the roughness of points, and in
-/// pixels, as a facet seen at 80 degrees falls by six pixels from one pixel to the next.
+/// Least step of the depth at a piece of an outline, in spacings and in pixels: a facet seen at 80 degrees falls by six pixels from one
+/// to the next.
 const STEP: f32 = 1.0;
-const STEP_PIXELS: f32 = 12.0;
+const STEP_PIXELS: f32 = 7.0;
+/// Share of the pieces of an outline at which the step is greater by what the discs on both sides span: at the rims of rough discs on one
+/// surface it hardly ever is.
+const SHARE: f32 = 0.3;
+/// Half the width of the fringe of disc rims at an outline, in spacings.
+const FRAYED: f32 = 0.3;
+/// Greatest gap between pieces, in spacings: where the rims of several discs lie at an outline, each step may be too small.
+const GAP: f32 = 2.0;
 /// Length of the shortest outline, in spacings and in pixels.
 const LEAST: f32 = 8.0;
 const LEAST_PIXELS: f32 = 16.0;
@@ -24,33 +32,40 @@ const TOLERANCE: f32 = 0.25;
 /// A line on the grid of the surface; closed if its last point is its first.
 pub(in crate::apply::render) type Outline = Vec<[f32; 2]>;
 
-/// The outlines of a surface of `facets` whose points are `spacing` pixels apart. Those before the ground are traced first, so that
-/// each is whole whatever ends on it.
+/// The outlines of a surface of `facets` whose points are `spacing` pixels apart: those before the ground, each whole whatever ends on
+/// it, and those before other surface, the longest first.
 pub(in crate::apply::render) fn lines(
     surface: &DepthBuffer,
     facets: &[Projected],
     spacing: f32,
-) -> Vec<Outline> {
+) -> [Vec<Outline>; 2] {
     let least = (LEAST * spacing).max(LEAST_PIXELS) as usize;
     let sigma = (SMOOTHED * spacing).clamp(SMOOTHING[0], SMOOTHING[1]);
     let step = STEP * spacing + STEP_PIXELS;
-    let [ground, inside] = cracks(surface, facets, step);
-    let all = chains(ground).into_iter().chain(chains(inside));
-    all.filter(|(chain, _)| chain.len() >= least)
-        .map(|(chain, closed)| {
-            let middles: Vec<[f32; 2]> = chain.iter().map(Crack::middle).collect();
-            let mut line = smoothed(&middles, closed, sigma);
-            if closed {
-                line.extend(line.first().copied());
-            }
-            simplified(&line, TOLERANCE)
-        })
-        .collect()
+    let reach = ((FRAYED * spacing) as usize).clamp(1, 6);
+    let [ground, inside] = cracks(surface, &sharpened(surface, reach, step), facets, step);
+    let inside = joined(chains(inside), (GAP * spacing).max(2.0));
+    let clear = |chain: &[Crack]| {
+        let high = chain.iter().filter(|c| c.high).count();
+        chain.len() >= least && high as f32 >= SHARE * chain.len() as f32
+    };
+    let line = |(chain, closed): (Vec<Crack>, bool)| {
+        let middles: Vec<[f32; 2]> = chain.iter().map(Crack::middle).collect();
+        let mut line = smoothed(&middles, closed, sigma);
+        if closed {
+            line.extend(line.first().copied());
+        }
+        simplified(&line, TOLERANCE)
+    };
+    [chains(ground), inside].map(|mut chains| {
+        chains.retain(|(chain, _)| clear(chain));
+        chains.sort_by_key(|(chain, _)| std::cmp::Reverse(chain.len()));
+        chains.into_iter().map(line).collect()
+    })
 }
 
-/// The cracks before the ground, and those before a surface farther away, by more than `step` beyond the depths that the discs at both
-/// pixels span; the nearer pixel on the right hand.
-fn cracks(surface: &DepthBuffer, facets: &[Projected], step: f32) -> [Vec<Crack>; 2] {
+/// The cracks before the ground, and those before a surface farther away by more than `step`, by these depths; the nearer pixel on the right hand.
+fn cracks(surface: &DepthBuffer, depths: &[f32], facets: &[Projected], step: f32) -> [Vec<Crack>; 2] {
     let (width, height) = (surface.width as i32, surface.height as i32);
     let spans: Vec<f32> =
         facets.iter().map(|f| f.radius * (1.0 - f.normal[2] * f.normal[2]).max(0.0).sqrt()).collect();
@@ -58,15 +73,16 @@ fn cracks(surface: &DepthBuffer, facets: &[Projected], step: f32) -> [Vec<Crack>
         let inside = y >= 0 && x >= 0 && y < height && x < width;
         let at = inside.then(|| (y * width + x) as usize)?;
         let span = spans.get(surface.surfel[at] as usize)?;
-        Some((surface.depth[at], *span))
+        Some((depths[at], *span))
     };
     let mut cracks = [Vec::new(), Vec::new()];
     // The first of two pixels lies on the right hand of the way from one corner to the other.
     let mut add = |pixels: [Option<(f32, f32)>; 2], [from, to]: [[i32; 2]; 2]| match pixels {
-        [Some(_), None] => cracks[0].push(Crack { from, to }),
-        [None, Some(_)] => cracks[0].push(Crack { from: to, to: from }),
-        [Some((a, span_a)), Some((b, span_b))] if (a - b).abs() > step + span_a + span_b => {
-            cracks[1].push(if a > b { Crack { from, to } } else { Crack { from: to, to: from } });
+        [Some(_), None] => cracks[0].push(Crack { from, to, high: true }),
+        [None, Some(_)] => cracks[0].push(Crack { from: to, to: from, high: true }),
+        [Some((a, span_a)), Some((b, span_b))] if (a - b).abs() > step => {
+            let [from, to] = if a > b { [from, to] } else { [to, from] };
+            cracks[1].push(Crack { from, to, high: (a - b).abs() > step + span_a + span_b });
         }
         _ => {}
     };
@@ -143,7 +159,7 @@ mod tests {
         let far = disc([100.0, 100.0, 0.0], 80.0);
         let outlines = |z: f32| {
             let near = disc([100.0, 100.0, z], 40.0);
-            lines(&DepthBuffer::draw(&[far, near], 200, 200), &[far, near], 2.0)
+            lines(&DepthBuffer::draw(&[far, near], 200, 200), &[far, near], 2.0).concat()
         };
         assert_eq!(outlines(1.0).len(), 1);
         let two = outlines(60.0);

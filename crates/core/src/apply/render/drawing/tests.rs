@@ -117,6 +117,14 @@ fn a_sphere_has_one_outline_which_is_a_circle() {
 }
 
 #[test]
+fn a_rough_sphere_has_one_outline() {
+    let scan = Scan::new(Sampling::BlueNoise { count: 5000 }).noise(0.25).seed(2);
+    let (surfels, spacing) = surfels(&sphere(1.0).sample(&scan).cloud).unwrap();
+    let scene = Scene { surfels: &surfels, spacing, ..Scene::default() };
+    assert_eq!(lines(&draw(&scene, &settings(Hidden::Dashed)).unwrap(), "silhouette").len(), 1);
+}
+
+#[test]
 fn a_torus_from_above_has_an_outer_and_an_inner_outline() {
     let cloud = torus(2.0, 0.6).sample(&Scan::new(Sampling::BlueNoise { count: 8000 }).seed(2)).cloud;
     let (surfels, spacing) = surfels(&cloud).unwrap();

@@ -7,6 +7,8 @@ pub(super) struct Crack {
     pub from: [i32; 2],
     /// Where it ends, likewise; one step away.
     pub to: [i32; 2],
+    /// Whether the step of the depth is beyond doubt.
+    pub high: bool,
 }
 
 impl Crack {
@@ -60,6 +62,66 @@ fn following(cracks: &[Crack], used: &[bool], i: usize) -> Option<usize> {
     here.filter(|&j| !used[j]).min_by_key(|&j| turn(j).unwrap_or(order.len()))
 }
 
+/// Cracks of the least chain that is joined to others, and those at an end that tell its direction.
+const LEAST: usize = 3;
+const REACH: usize = 8;
+
+/// Joins open chains whose ends lie at most `gap` apart where both go on in that direction, the nearest first, and leaves out the shortest.
+pub(super) fn joined(mut chains: Vec<(Vec<Crack>, bool)>, gap: f32) -> Vec<(Vec<Crack>, bool)> {
+    chains.retain(|(chain, closed)| *closed || chain.len() >= LEAST);
+    let (open, mut done): (Vec<_>, Vec<_>) = chains.into_iter().partition(|c| !c.1);
+    let open: Vec<Vec<Crack>> = open.into_iter().map(|c| c.0).collect();
+    let mut links = Vec::new();
+    for (i, before) in open.iter().enumerate() {
+        let end = before[before.len() - 1].middle();
+        for (j, after) in open.iter().enumerate().filter(|&(j, _)| j != i) {
+            let start = after[0].middle();
+            let step = [0, 1].map(|c| start[c] - end[c]);
+            let away = step[0].hypot(step[1]);
+            let [out, on] =
+                [&before[before.len() - before.len().min(REACH)..], &after[..after.len().min(REACH)]]
+                    .map(way);
+            if away <= gap && dot(out, on) > 0.0 && dot(step, out) >= 0.0 && dot(step, on) >= 0.0 {
+                links.push((away, i, j));
+            }
+        }
+    }
+    links.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    let (mut next, mut previous) = (vec![None; open.len()], vec![None; open.len()]);
+    for (_, i, j) in links {
+        if next[i].is_none() && previous[j].is_none() {
+            (next[i], previous[j]) = (Some(j), Some(i));
+        }
+    }
+    let mut used = vec![false; open.len()];
+    for round in [false, true] {
+        for first in 0..open.len() {
+            if used[first] || !(round || previous[first].is_none()) {
+                continue;
+            }
+            let mut chain = Vec::new();
+            let mut at = Some(first);
+            while let Some(i) = at.filter(|&i| !used[i]) {
+                used[i] = true;
+                chain.extend_from_slice(&open[i]);
+                at = next[i];
+            }
+            done.push((chain, round));
+        }
+    }
+    done
+}
+
+/// From the beginning of a row of cracks to its end.
+fn way(cracks: &[Crack]) -> [f32; 2] {
+    let [from, to] = [cracks[0].middle(), cracks[cracks.len() - 1].middle()];
+    [to[0] - from[0], to[1] - from[1]]
+}
+
+fn dot(a: [f32; 2], b: [f32; 2]) -> f32 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -67,7 +129,7 @@ mod tests {
     /// The sides of a pixel, itself on the right hand.
     fn pixel([y, x]: [i32; 2]) -> [Crack; 4] {
         let corners = [[y, x], [y, x + 1], [y + 1, x + 1], [y + 1, x]];
-        std::array::from_fn(|k| Crack { from: corners[k], to: corners[(k + 1) % 4] })
+        std::array::from_fn(|k| Crack { from: corners[k], to: corners[(k + 1) % 4], high: true })
     }
 
     #[test]
@@ -79,10 +141,21 @@ mod tests {
 
     #[test]
     fn a_row_of_cracks_is_one_open_chain_from_its_beginning() {
-        let cracks: Vec<Crack> = [2, 0, 1].map(|x| Crack { from: [0, x], to: [0, x + 1] }).into();
+        let cracks: Vec<Crack> = [2, 0, 1].map(|x| Crack { from: [0, x], to: [0, x + 1], high: true }).into();
         let chains = chains(cracks);
         assert_eq!(chains.len(), 1);
         assert!(!chains[0].1);
         assert_eq!(chains[0].0.iter().map(|c| c.from[1]).collect::<Vec<_>>(), [0, 1, 2]);
+    }
+
+    #[test]
+    fn chains_are_joined_over_short_gaps_where_they_go_on() {
+        let row = |from: i32| {
+            (from..from + 5).map(|x| Crack { from: [0, x], to: [0, x + 1], high: true }).collect()
+        };
+        let rows = |starts: &[i32]| chains(starts.iter().flat_map(|&x| -> Vec<Crack> { row(x) }).collect());
+        let count = |starts: &[i32]| joined(rows(starts), 3.5).iter().map(|c| c.0.len()).collect::<Vec<_>>();
+        assert_eq!(count(&[0, 7, 14]), [15]);
+        assert_eq!(count(&[0, 9]), [5, 5]);
     }
 }
