@@ -1,6 +1,7 @@
 //! Tasks of the project: `cargo xtask` lists them.
 
 mod browser;
+mod figures;
 mod man;
 mod python;
 mod rivals;
@@ -17,6 +18,8 @@ Usage: cargo xtask TASK
   python [PROFILE]  install the Python package in out/python and run its tests; PROFILE of cargo, `dev` unless named
   wheel             build the wheel of the Python package into out/wheels
   rivals            compare with other programs; installs them in `out` by pip and npm, and a browser by apt if none is there
+  figures [NAME [PROFILE]]
+                    draw the figures of Gumhold 2001 from generated scans into out/figures, or those whose names begin with NAME
   man               write the manual pages to out/man
   web               bundle the viewer of reports from the folder web; needs Node.js with npm
   web --test        open reports in a browser, if one is there";
@@ -29,6 +32,9 @@ fn main() -> ExitCode {
         ["python"] => python::test(None),
         ["python", profile] => python::test(Some(profile)),
         ["wheel"] => python::wheel(),
+        ["figures"] => figures::run("figure", None),
+        ["figures", name] => figures::run(name, None),
+        ["figures", name, profile] => figures::run(name, Some(profile)),
         ["man"] => man::run(),
         ["web"] => web::bundle(),
         ["web", "--test"] => web::test(),
