@@ -14,7 +14,7 @@ use crate::params::{Method, Params, PenaltyForm, SegmentForm};
 use crate::patch::{self, Ground, Patches};
 use crate::pattern::Pattern;
 use crate::prepare::Prepared;
-use crate::recover::{close_rings, observe, recover, refit, sharpen, take_back};
+use crate::recover::{close_rings, observe, recover, refit, settle_ends, sharpen, take_back};
 use crate::relation::{Related, related as relations};
 
 /// The parameters for a detector of the caller's own: its measure goes to the linker of the method `penalty`.
@@ -80,7 +80,12 @@ pub(crate) fn related(cloud: &Prepared, network: &mut Network, params: &Params) 
     let scales = cloud.scales();
     let observed = observe(network, &cloud.positions, &cloud.graph, scales);
     let spacing: Vec<f64> = network.strips.iter().map(|s| scales.finest(&s.sources).spacing).collect();
-    relations(network, &observed, &spacing, cloud.resolution.noise, &params.relations)
+    let related = relations(network, &observed, &spacing, cloud.resolution.noise, &params.relations);
+    if !params.relations.regularise {
+        // What is imposed moves lines off their own nodes, to where all curves together want them.
+        settle_ends(network, scales);
+    }
+    related
 }
 
 /// Whether patches are to be found: if asked for, and by the method whose lines bound them.

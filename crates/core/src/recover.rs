@@ -1,6 +1,7 @@
 //! From a pattern to a network: strips between nodes, each with its curve.
 
 mod corner;
+mod ends;
 mod faces;
 mod nodes;
 mod observe;
@@ -12,6 +13,7 @@ mod verify;
 mod wedge;
 mod world;
 
+pub(crate) use ends::settle as settle_ends;
 pub(crate) use faces::refit;
 pub(crate) use observe::observe;
 pub(crate) use rings::close as close_rings;
