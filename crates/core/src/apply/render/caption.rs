@@ -30,7 +30,8 @@ pub(super) fn draw(scene: &Scene, settings: &Settings, drawing: &mut Drawing, sc
 fn entries(scene: &Scene, settings: &Settings) -> Vec<(String, Option<Colour>)> {
     let points = scene.surfels.len();
     let mut entries = Vec::new();
-    if points > 0 || scene.verdicts.is_empty() {
+    let alone = scene.verdicts.is_empty() && scene.network.is_none() && scene.mesh.is_none();
+    if points > 0 || alone {
         entries.push((counted(points, "point"), None));
     }
     if let Some(network) = scene.network {

@@ -98,6 +98,9 @@ fn without_a_surface_all_edges_are_seen() {
     let drawing =
         draw(&Scene { network: Some(&network), ..Scene::default() }, &settings(Hidden::None)).unwrap();
     assert_eq!(lines(&drawing, "crease").len(), 12);
+    let captioned = Settings { caption: true, ..settings(Hidden::None) };
+    let drawing = draw(&Scene { network: Some(&network), ..Scene::default() }, &captioned).unwrap();
+    assert_eq!(drawing.texts[0].text, "12 creases", "points that are not drawn are not counted");
 }
 
 #[test]
