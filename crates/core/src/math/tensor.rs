@@ -67,6 +67,13 @@ pub fn add_product(m: &mut Symmetric3, v: [f64; 3], weight: f64) {
     m[5] += w[2] * v[2];
 }
 
+/// The product of `m` and `v`.
+#[inline]
+pub fn apply(m: &Symmetric3, v: [f64; 3]) -> [f64; 3] {
+    let row = |a: usize, b: usize, c: usize| m[a] * v[0] + m[b] * v[1] + m[c] * v[2];
+    [row(0, 1, 2), row(1, 3, 4), row(2, 4, 5)]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,8 +1,8 @@
 //! The field: at every point the direction in which the surface does not change, and its normal fitted to points along it.
 
 use crate::math::eigen3::{Eigen3, Symmetric3, eigen3};
-use crate::math::tensor::add_product;
-use crate::math::vec3::{add, add_scaled, dot, scale, sub, unit};
+use crate::math::tensor::{add_product, apply, centred};
+use crate::math::vec3::{add, add_scaled, dot, norm, scale, sub, unit};
 use crate::neighbors::{Found, Index};
 use crate::parallel;
 use crate::surface::Scales;
@@ -24,6 +24,8 @@ const LOOK: (f64, f64) = (2.0, 3.0);
 const CHANGE: (f64, f64) = (3.2, 0.966);
 /// Height of a step beyond what a bend explains, in spacings, and what a spacing of noise adds.
 const JUMP: (f64, f64) = (0.4, 3.0);
+/// Slope of the plane through all points from which steps are looked for, for a least height of one spacing.
+const LEAN: f64 = 0.08;
 /// Least share of such points around a point at a step.
 const ASIDE: f64 = 0.08;
 /// Scale of a tube across, in spacings.
@@ -83,6 +85,40 @@ impl Tensor {
     fn of(m: &Symmetric3, sum: f64) -> Tensor {
         let Eigen3 { values: [least, middle, _], vectors } = eigen3(m);
         Tensor { along: vectors[0], bend: middle / sum, grade: (middle - least) / middle.max(1e-12) }
+    }
+}
+
+/// Moments of the points around one of them.
+#[derive(Default)]
+struct Face {
+    sum: f64,
+    first: [f64; 3],
+    second: Symmetric3,
+}
+
+impl Face {
+    /// Adds a point at offset `d` with weight `w`.
+    fn add(&mut self, d: [f64; 3], w: f64) {
+        self.sum += w;
+        self.first = add_scaled(self.first, d, w);
+        add_product(&mut self.second, d, w);
+    }
+
+    /// The normal of the plane through all points.
+    fn normal(&self) -> [f64; 3] {
+        eigen3(&self.tensor()).vectors[0]
+    }
+
+    /// Slope of the plane through all points over the plane with unit normal `n`.
+    fn lean(&self, n: [f64; 3]) -> f64 {
+        let t = self.tensor();
+        let tilted = apply(&t, n);
+        let thick = dot(tilted, n);
+        2.0 * norm(add_scaled(tilted, n, -thick)) / (t[0] + t[3] + t[5] - thick).max(f64::MIN_POSITIVE)
+    }
+
+    fn tensor(&self) -> Symmetric3 {
+        centred(self.first, self.second, self.sum).1
     }
 }
 
@@ -148,10 +184,13 @@ impl<'a> Field<'a> {
     fn steps_aside(&self, i: usize, j: usize) -> bool {
         let [n, m] = [i, j].map(|k| self.normal(k));
         let step = sub(self.place(j), self.place(i));
-        let off = dot(n, step).abs().min(dot(m, step).abs());
+        dot(n, m).abs() >= CHANGE.1 && dot(n, step).abs().min(dot(m, step).abs()) > self.jump(i)
+    }
+
+    /// Least height of a step at point `i`.
+    fn jump(&self, i: usize) -> f64 {
         let resolution = self.scales.at(i);
-        let (least, noisy) = JUMP;
-        dot(n, m).abs() >= CHANGE.1 && off > least * resolution.spacing + noisy * resolution.noise
+        JUMP.0 * resolution.spacing + JUMP.1 * resolution.noise
     }
 
     /// Passes the points within `reach` spacings `h` of a place to `take`; false, and not all of them, where it is crowded.
@@ -192,30 +231,40 @@ impl<'a> Field<'a> {
     fn tensor(&self, i: usize) -> Option<Tensor> {
         let h = self.scales.at(i).spacing;
         let (mut m, mut sum) = ([0.0; 6], 0.0);
-        let (mut spread, mut centre, mut near, mut aside) = ([0.0; 6], [0.0; 3], 0.0, 0.0);
+        let mut face = Face::default();
         let (own, facing) = (self.points[i], self.normal(i));
         let (wide, reach) = TENSOR;
         let scale = -1.0 / (wide * h * wide * h);
         let all = self.around(own, reach, h, |f| {
             let w = (f.distance2 * scale).exp();
-            let j = f.index as usize;
-            add_product(&mut m, self.normal(j), w);
+            let normal = self.normal(f.index as usize);
+            add_product(&mut m, normal, w);
             sum += w;
-            if dot(self.normal(j), facing).abs() >= CHANGE.1 {
-                let (d, w) = (sub(self.points[j], own), w * w);
-                add_product(&mut spread, d, w);
-                centre = add_scaled(centre, d, w);
-                near += w;
-                aside += if self.steps_aside(i, j) { w } else { 0.0 };
+            if dot(normal, facing).abs() >= CHANGE.1 {
+                face.add(sub(self.points[f.index as usize], own), w * w);
             }
         });
         let mut tensor = Tensor::of(&m, sum);
-        if tensor.bend <= BEND && aside > ASIDE * near {
-            add_product(&mut spread, centre, -1.0 / near);
-            add_product(&mut m, eigen3(&spread).vectors[0], TILT * sum);
+        let leans = tensor.bend <= BEND && face.lean(facing) > LEAN * self.jump(i) / h;
+        if leans && self.share_aside(i, &face) > ASIDE {
+            add_product(&mut m, face.normal(), TILT * sum);
             tensor = Tensor::of(&m, sum);
         }
         all.then_some(tensor)
+    }
+
+    /// Weight of the points at another height among the points around point `i` whose normals are like its own.
+    fn share_aside(&self, i: usize, face: &Face) -> f64 {
+        let h = self.scales.at(i).spacing;
+        let (wide, reach) = TENSOR;
+        let scale = -2.0 / (wide * h * wide * h);
+        let mut aside = 0.0;
+        self.around(self.points[i], reach, h, |f| {
+            if self.steps_aside(i, f.index as usize) {
+                aside += (f.distance2 * scale).exp();
+            }
+        });
+        aside / face.sum
     }
 
     /// The points in the tube around point `i`; false where it is crowded.

@@ -100,12 +100,13 @@ fn unpacked(key: u64) -> (u32, u32) {
 /// The angle between two normals and the step beyond what a bend by this angle explains.
 fn weight(p: &Across, q: &Across, noise: f64) -> f64 {
     let step = [q.place[0] - p.place[0], q.place[1] - p.place[1]];
-    let length = step[0].hypot(step[1]);
+    let length = (step[0] * step[0] + step[1] * step[1]).sqrt();
     let along = |n: [f64; 2]| (n[0] * step[0] + n[1] * step[1]).abs();
     let off = along(p.normal).min(along(q.normal));
-    let angle = (p.normal[0] * q.normal[0] + p.normal[1] * q.normal[1]).abs().min(1.0).acos();
+    let cosine = (p.normal[0] * q.normal[0] + p.normal[1] * q.normal[1]).abs().min(1.0);
+    let half_sine = (0.5 * (1.0 - cosine)).sqrt();
     let (flat, noisy) = FLAT;
-    angle + OFFSET * (off - length * (0.5 * angle).sin() - flat - noisy * noise).max(0.0)
+    cosine.acos() + OFFSET * (off - length * half_sine - flat - noisy * noise).max(0.0)
 }
 
 /// Points in square cells.

@@ -103,7 +103,7 @@ impl Section {
             }
             let normal = field.normal(j);
             let normal = [dot(normal, u), dot(normal, v)];
-            let length = normal[0].hypot(normal[1]);
+            let length = (normal[0] * normal[0] + normal[1] * normal[1]).sqrt();
             if length < UPRIGHT {
                 return;
             }
