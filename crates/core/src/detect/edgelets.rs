@@ -9,6 +9,7 @@
 mod corners;
 mod distinct;
 mod field;
+mod gaps;
 mod links;
 mod moments;
 mod pieces;
@@ -64,7 +65,7 @@ pub(crate) fn edgelets(
         if section.take(&field, seeds[i]) {
             links.find(&section.points, section.noise);
             pieces.cut(section, links, params.evidence);
-            corners::corners(section, links, pieces, params.turn_deg.to_radians(), out);
+            corners::corners(&field, section, links, pieces, params.turn_deg.to_radians(), out);
             steps::steps(section, pieces, out);
         }
     });

@@ -1,6 +1,8 @@
 //! Corners of a cross-section: where two of its smooth pieces meet at an angle.
 
 use super::Weighted;
+use super::field::Field;
+use super::gaps;
 use super::links::Links;
 use super::pieces::{Piece, Pieces, variance};
 use super::section::{Across, Section};
@@ -39,24 +41,40 @@ struct Joint {
 
 /// Appends the corners of a section with a turn of at least `least` radians, but for those between two pieces of one circle.
 pub(super) fn corners(
+    field: &Field,
     section: &Section,
     links: &Links,
     pieces: &Pieces,
     least: f64,
     out: &mut Vec<Weighted>,
 ) {
-    for joint in joints(section, links, pieces) {
+    let joints = joints(section, links, pieces);
+    for joint in &joints {
         let (a, b) = joint.pieces;
         let (Some(a), Some(b)) = (&pieces.all[a as usize], &pieces.all[b as usize]) else { continue };
-        let Some(p) = place(section, &joint, a, b) else { continue };
-        let evidence = pieces.loss(joint.pieces, variance(section));
-        let round = round_loss(section, pieces, joint.pieces) < MORE;
-        let corner = corner(section, p, [a, b], evidence);
-        let turn = corner.edgelet.turn();
-        let vague = corner.edgelet.deviation > VAGUE * section.unit;
-        if (least..SHEET_DEG.to_radians()).contains(&turn) && !vague && !round {
-            out.push(corner);
-        }
+        let Some(p) = place(section, joint, a, b) else { continue };
+        admit(section, pieces, joint.pieces, p, least, out);
+    }
+    let joined = |pair| joints.iter().any(|j| j.pieces == pair && j.count >= JOINT);
+    gaps::gaps(field, section, pieces, joined, |pair, p| admit(section, pieces, pair, p, least, out));
+}
+
+/// Appends the corner of two pieces at a place unless they are smooth, a sheet or round there, or the place is vague.
+fn admit(
+    section: &Section,
+    pieces: &Pieces,
+    pair: (u32, u32),
+    p: [f64; 2],
+    least: f64,
+    out: &mut Vec<Weighted>,
+) {
+    let (Some(a), Some(b)) = (&pieces.all[pair.0 as usize], &pieces.all[pair.1 as usize]) else { return };
+    let evidence = pieces.loss(pair, variance(section));
+    let corner = corner(section, p, [a, b], evidence);
+    let turns = (least..SHEET_DEG.to_radians()).contains(&corner.edgelet.turn());
+    let vague = corner.edgelet.deviation > VAGUE * section.unit;
+    if turns && !vague && round_loss(section, pieces, pair) >= MORE {
+        out.push(corner);
     }
 }
 
@@ -129,7 +147,7 @@ fn corner(section: &Section, p: [f64; 2], pieces: [&Piece; 2], evidence: f64) ->
 }
 
 /// Where the curves of two pieces meet near a place, by Newton's method.
-fn meet(a: &Piece, b: &Piece, start: [f64; 2]) -> Option<[f64; 2]> {
+pub(super) fn meet(a: &Piece, b: &Piece, start: [f64; 2]) -> Option<[f64; 2]> {
     let mut p = start;
     for _ in 0..6 {
         let ((fa, ga, _), (fb, gb, _)) = (a.curve.value(p), b.curve.value(p));
@@ -146,7 +164,7 @@ fn meet(a: &Piece, b: &Piece, start: [f64; 2]) -> Option<[f64; 2]> {
 }
 
 /// The unit direction of a piece at `p`, towards its middle.
-fn arm(piece: &Piece, p: [f64; 2]) -> [f64; 2] {
+pub(super) fn arm(piece: &Piece, p: [f64; 2]) -> [f64; 2] {
     let (_, gradient, u) = piece.curve.value(p);
     let along = [gradient[1], -gradient[0]];
     let [a, b] = piece.curve.axis;
