@@ -145,7 +145,9 @@ impl Course {
     fn corner(&self, at: usize, side: f64, turn_deg: f64) -> Option<Corner> {
         let first = self.meeting(at, side, ROUNDED_OFF)?;
         let (turn, spoilt) = first.rounding(self.off(at, first.position) / self.units[at], self.rounded)?;
-        let beyond = if spoilt > ROUNDED_OFF { self.meeting(at, side, spoilt) } else { None };
+        // The tip of a rounding is no farther away than the rounding is long; nearly parallel sides meet anywhere.
+        let near = |m: &Meeting| distance(m.position, self.positions[at]) <= spoilt * self.units[at];
+        let beyond = self.meeting(at, side, spoilt).filter(|m| spoilt > ROUNDED_OFF && near(m));
         let position = beyond.map_or(first.position, |b| b.position);
         let [least, right] = CLEAR_RATIO;
         let share = ((turn - turn_deg) / (90.0 - turn_deg)).clamp(0.0, 1.0);
