@@ -5,6 +5,7 @@
 
 mod chains;
 pub(crate) mod clusters;
+mod flat;
 mod lines;
 mod repair;
 mod spanning;

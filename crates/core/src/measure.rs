@@ -24,6 +24,8 @@ pub struct Measure {
     pub border: Penalties,
     /// Short pieces of crease, found across the points rather than at them; empty from a detector that judges points alone.
     pub edgelets: Vec<Edgelet>,
+    /// Places at which a cross-section shows one smooth face alone; empty from such a detector.
+    pub flat: Vec<[f64; 3]>,
 }
 
 /// A short piece of crease: where two smooth pieces of a cross-section of the surface meet, local frame.

@@ -32,7 +32,8 @@ pub(crate) fn detect(cloud: &Prepared, params: &Params) -> Measure {
         Method::Auto => {
             let mut measure = penalty::penalty(positions, graph, cloud.scales(), &params.penalty);
             if params.penalty.form == PenaltyForm::Robust {
-                measure.edgelets = edgelets(positions, &measure.normal, cloud.scales(), &params.edgelets);
+                (measure.edgelets, measure.flat) =
+                    edgelets(positions, &measure.normal, cloud.scales(), &params.edgelets);
             }
             measure
         }

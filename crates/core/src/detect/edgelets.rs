@@ -9,6 +9,7 @@
 mod corners;
 mod distinct;
 mod field;
+mod flat;
 mod gaps;
 mod links;
 mod moments;
@@ -38,38 +39,56 @@ struct Weighted {
     weight: f64,
 }
 
+/// What a cross-section shows: a corner, or no crease at its seed.
+enum Seen {
+    Corner(Weighted),
+    Flat([f64; 3]),
+}
+
 #[derive(Default)]
 struct Scratch {
+    corners: Vec<Weighted>,
     section: Section,
     links: Links,
     pieces: Pieces,
 }
 
-/// The edgelets of a cloud, local frame. `normals` are unit vectors of either sign, a row for each point; none where they are
+/// The edgelets of a cloud, local frame, and the points at which a cross-section shows no crease. `normals` are unit vectors of either sign, a row for each point; none where they are
 /// absent, and none where the noise exceeds the limit.
 pub(crate) fn edgelets(
     points: &[[f64; 3]],
     normals: &[[f32; 3]],
     scales: Scales,
     params: &EdgeletParams,
-) -> Vec<Edgelet> {
+) -> (Vec<Edgelet>, Vec<[f64; 3]>) {
     let noisy = scales.mean.noise > params.noise_spacings * scales.mean.spacing;
     if noisy || normals.len() != points.len() {
-        return Vec::new();
+        return Default::default();
     }
     let index = Index::build(points);
     let field = Field::new(points, normals, &index, scales);
     let seeds = seeds(&field, params.apart_spacings);
-    let all = parallel::flat_map_with(seeds.len(), SEEDS, |scratch: &mut Scratch, i, out| {
-        let Scratch { section, links, pieces } = scratch;
+    let seen = parallel::flat_map_with(seeds.len(), SEEDS, |scratch: &mut Scratch, i, out| {
+        let Scratch { corners, section, links, pieces } = scratch;
         if section.take(&field, seeds[i]) {
             links.find(&section.points, section.noise);
             pieces.cut(section, links, params.evidence);
-            corners::corners(&field, section, links, pieces, params.turn_deg.to_radians(), out);
-            steps::steps(section, pieces, out);
+            corners::corners(&field, section, links, pieces, params.turn_deg.to_radians(), corners);
+            steps::steps(section, pieces, corners);
+            if flat::is_flat(section, pieces, corners) {
+                out.push(Seen::Flat(points[seeds[i]]));
+            }
+            out.extend(corners.drain(..).map(Seen::Corner));
         }
     });
-    distinct::distinct(&all, &index, params.agree)
+    let (mut corners, mut flat) = (Vec::new(), Vec::new());
+    for seen in seen {
+        match seen {
+            Seen::Corner(corner) => corners.push(corner),
+            Seen::Flat(place) => flat.push(place),
+        }
+    }
+    (distinct::distinct(&corners, &index, params.agree), flat)
 }
 
 /// Points at folds, in canonical order, none near an earlier one.

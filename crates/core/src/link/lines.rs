@@ -1,6 +1,7 @@
 //! The crease and border patterns (Gumhold 2001, sections 3.2 and 3.3), repaired in the robust form.
 
 use super::chains::chains;
+use super::flat;
 use super::repair::{bridge, dock, repair};
 use super::spanning::{CycleRule, candidate_edges, minimum_spanning_graph, prune};
 use super::triples;
@@ -38,7 +39,8 @@ pub(crate) fn link(
         PenaltyForm::Robust => {
             if spanning.creases && !measure.edgelets.is_empty() {
                 let (length, evidence) = (params.edgelets.chain_spacings, repair.evidence);
-                let strips = std::mem::take(&mut pattern.crease);
+                let mut strips = std::mem::take(&mut pattern.crease);
+                flat::remove(&mut strips, &measure.flat, &measure.edgelets, scales);
                 pattern.crease = chains(strips, &measure.edgelets, length, evidence, scales);
                 bridge(&mut pattern.crease, StripKind::Crease, scales, repair);
                 triples::gather(&mut pattern.crease, scales);

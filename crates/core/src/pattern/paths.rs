@@ -12,6 +12,17 @@ pub struct Path {
     pub ends: Option<[u32; 2]>,
 }
 
+impl Path {
+    /// The edges along the path; a loop's last leads back to its first vertex.
+    pub fn edges(&self) -> Vec<(u32, u32)> {
+        let closing = match (self.ends, &self.vertices[..]) {
+            (None, [first, .., last]) => Some((*last, *first)),
+            _ => None,
+        };
+        self.vertices.windows(2).map(|w| (w[0], w[1])).chain(closing).collect()
+    }
+}
+
 /// All strips, each once: open ones from their lesser end vertex, then loops from their least vertex.
 pub fn paths(lines: &LineGraph) -> Vec<Path> {
     let is_node = lines.is_node();

@@ -79,12 +79,14 @@ fn free(section: &Section, pieces: &Pieces, pair: (u32, u32), corner: [f64; 2]) 
     let other = |label| label != pair.0 && label != pair.1 && piece(label);
     let far = ends.map(|end| apart(end, corner)).into_iter().fold(0.0, f64::max);
     let beside = ends.iter().map(|&end| apart(end, nearest(section, pieces, end, other)));
-    apart(corner, nearest(section, pieces, corner, other)) > far && beside.fold(f64::INFINITY, f64::min) > NARROW
+    apart(corner, nearest(section, pieces, corner, other)) > far
+        && beside.fold(f64::INFINITY, f64::min) > NARROW
 }
 
 /// The point of some pieces nearest to a place; far away if there is none.
 fn nearest(section: &Section, pieces: &Pieces, place: [f64; 2], of: impl Fn(u32) -> bool) -> [f64; 2] {
-    let points = section.points.iter().zip(&pieces.label).filter(|(_, label)| of(**label)).map(|(p, _)| p.raw);
+    let points =
+        section.points.iter().zip(&pieces.label).filter(|(_, label)| of(**label)).map(|(p, _)| p.raw);
     let far = |p: &[f64; 2]| (p[0] - place[0]).hypot(p[1] - place[1]);
     points.min_by(|p, q| far(p).total_cmp(&far(q))).unwrap_or([f64::INFINITY; 2])
 }

@@ -30,7 +30,7 @@ fn scales(noise: f64) -> Scales<'static> {
 fn the_edge_of_a_ridge_is_found_with_its_direction_and_its_faces() {
     for (slope, noise) in [(1.0, 0.0), (1.0, 0.2), (0.5, 0.1)] {
         let (points, normals) = ridge(slope, noise);
-        let found = edgelets(&points, &normals, scales(noise), &EdgeletParams::default());
+        let found = edgelets(&points, &normals, scales(noise), &EdgeletParams::default()).0;
         assert!(found.len() > 25, "{slope}, {noise}: {}", found.len());
         for e in &found {
             let off = e.place[1].hypot(e.place[2]);
@@ -48,7 +48,7 @@ fn the_edge_of_a_ridge_is_found_with_its_direction_and_its_faces() {
 #[test]
 fn errors_are_as_large_as_stated() {
     let (points, normals) = ridge(1.0, 0.2);
-    let found = edgelets(&points, &normals, scales(0.2), &EdgeletParams::default());
+    let found = edgelets(&points, &normals, scales(0.2), &EdgeletParams::default()).0;
     let square = |e: &Edgelet| (e.place[1].powi(2) + e.place[2].powi(2)) / (2.0 * e.deviation.powi(2));
     let mean = found.iter().map(square).sum::<f64>() / found.len() as f64;
     // Cross-sections of the whole ridge share most of their points: fewer independent errors than edgelets.
@@ -59,7 +59,7 @@ fn errors_are_as_large_as_stated() {
 fn flat_and_gently_curved_surfaces_have_none() {
     for slope in [0.0, 0.1] {
         let (points, normals) = ridge(slope, 0.2);
-        assert!(edgelets(&points, &normals, scales(0.2), &EdgeletParams::default()).is_empty(), "{slope}");
+        assert!(edgelets(&points, &normals, scales(0.2), &EdgeletParams::default()).0.is_empty(), "{slope}");
     }
     let bent = |y: f64| [y, -y * y / 30.0];
     let mut rng = Rng::new(3);
@@ -69,23 +69,23 @@ fn flat_and_gently_curved_surfaces_have_none() {
     let points: Vec<[f64; 3]> = places.iter().map(|p| [p[0], bent(p[1])[0], bent(p[1])[1]]).collect();
     let normals: Vec<[f32; 3]> =
         places.iter().map(|p| unit([0.0, p[1] / 15.0, 1.0]).map(|c| c as f32)).collect();
-    assert!(edgelets(&points, &normals, scales(0.0), &EdgeletParams::default()).is_empty());
+    assert!(edgelets(&points, &normals, scales(0.0), &EdgeletParams::default()).0.is_empty());
 }
 
 #[test]
 fn beyond_the_greatest_noise_and_without_normals_there_are_none() {
     let (points, normals) = ridge(1.0, 0.2);
     let params = EdgeletParams { noise_spacings: 0.15, ..EdgeletParams::default() };
-    assert!(edgelets(&points, &normals, scales(0.2), &params).is_empty());
-    assert!(edgelets(&points, &[], scales(0.2), &EdgeletParams::default()).is_empty());
+    assert!(edgelets(&points, &normals, scales(0.2), &params).0.is_empty());
+    assert!(edgelets(&points, &[], scales(0.2), &EdgeletParams::default()).0.is_empty());
 }
 
 #[test]
 fn places_with_many_times_the_points_of_a_plane_have_none() {
     let (points, normals) = ridge(1.0, 0.0);
     let wide = |spacing| Resolution { spacing, noise: 0.0 }.into();
-    assert!(!edgelets(&points, &normals, wide(1.4), &EdgeletParams::default()).is_empty());
-    assert!(edgelets(&points, &normals, wide(6.0), &EdgeletParams::default()).is_empty());
+    assert!(!edgelets(&points, &normals, wide(1.4), &EdgeletParams::default()).0.is_empty());
+    assert!(edgelets(&points, &normals, wide(6.0), &EdgeletParams::default()).0.is_empty());
 }
 
 #[test]
@@ -130,7 +130,7 @@ fn both_corners_of_a_step_are_found_where_no_point_lies_on_its_face() {
             }
         }
         let normals = vec![[0.0, 0.0, 1.0]; points.len()];
-        let found = edgelets(&points, &normals, scales(noise), &EdgeletParams::default());
+        let found = edgelets(&points, &normals, scales(noise), &EdgeletParams::default()).0;
         for z in [0.0, height] {
             let near = |e: &&Edgelet| (e.place[2] - z).abs() < 0.2;
             assert!(found.iter().filter(near).count() > 20, "{height}, {noise}: {}", found.len());
@@ -144,7 +144,7 @@ fn both_corners_of_a_step_are_found_where_no_point_lies_on_its_face() {
         let sheets: Vec<[f64; 3]> =
             points.iter().flat_map(|p| [[p[0], p[1], 0.0], [p[0] + 0.5, p[1] + 0.5, height]]).collect();
         let normals = vec![[0.0, 0.0, 1.0]; sheets.len()];
-        assert!(edgelets(&sheets, &normals, scales(noise), &EdgeletParams::default()).is_empty());
+        assert!(edgelets(&sheets, &normals, scales(noise), &EdgeletParams::default()).0.is_empty());
     }
 }
 
@@ -178,6 +178,6 @@ fn a_thin_pipe_has_no_creases() {
             normals.push([0.0, angle.cos() as f32, angle.sin() as f32]);
         }
     }
-    let n = edgelets(&points, &normals, scales(0.05), &EdgeletParams::default()).len();
+    let n = edgelets(&points, &normals, scales(0.05), &EdgeletParams::default()).0.len();
     assert!(n == 0, "{n}");
 }

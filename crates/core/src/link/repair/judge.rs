@@ -25,7 +25,7 @@ pub(crate) fn judge(lines: &mut LineGraph, scales: Scales, params: &RepairParams
             break;
         }
         for path in &round {
-            remove_path(lines, path);
+            lines.remove_path(path);
         }
     }
     // Neighbouring points share their neighbours, so chance alone adds up to about twenty along the false lines of a noisy round.
@@ -46,15 +46,6 @@ fn is_round(lines: &LineGraph, path: &Path, scales: Scales, share: f64) -> bool 
 /// The evidence of a vertex and the evidence expected of a sharp fold; zero without a cross-section.
 fn sums_of(evidence: Option<Evidence>) -> [f64; 2] {
     evidence.map_or([0.0; 2], |e| [e.sharp, e.expected].map(f64::from))
-}
-
-fn remove_path(lines: &mut LineGraph, path: &Path) {
-    for pair in path.vertices.windows(2) {
-        lines.remove_edge(pair[0], pair[1]);
-    }
-    if let (None, [first, .., last]) = (path.ends, &path.vertices[..]) {
-        lines.remove_edge(*first, *last);
-    }
 }
 
 /// Removes connected pieces shorter than `least` spacings in all, and those with less evidence than `sure`.
