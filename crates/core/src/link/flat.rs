@@ -9,7 +9,7 @@ use crate::pattern::{LineGraph, paths};
 use crate::surface::Scales;
 
 /// Distance from a flat place within which a strip lies on it, and from an edgelet within which it does not, in spacings.
-const NEAR: (f64, f64) = (1.2, 1.5);
+const NEAR: (f64, f64) = (0.9, 1.5);
 /// Least number of vertices, one after the other, on flat places.
 const RUN: usize = 3;
 

@@ -9,7 +9,7 @@ use crate::math::vec3::distance;
 const ON: f64 = 0.4;
 /// How far the piece goes on to either side and in all, at least, in spacings, and the greatest turn over as much on either side,
 /// radians.
-const AROUND: (f64, f64) = (0.7, 2.4);
+const AROUND: (f64, f64) = (0.9, 2.4);
 const TURN: f64 = 0.1;
 /// Distance from the seed within which no other piece has a point, in spacings, and the least number of points of such a piece.
 const CLEAR: f64 = 1.5;
