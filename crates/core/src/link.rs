@@ -1,7 +1,7 @@
 //! Linkers: from the penalties of the points to graphs of lines.
 //!
 //! As printed: `spanning` (Gumhold 2001, sections 3.2 and 3.3) and `clusters` (Demarsin et al. 2007). Ours: `repair`, which
-//! both call in their robust forms, `chains` and `triples`.
+//! both call in their robust forms, `flat`, `chains` and `triples`.
 
 mod chains;
 pub(crate) mod clusters;

@@ -4,7 +4,8 @@
 //! of the normals, and fits the normals anew to points in tubes along it, so that they keep to their face however narrow it is. At
 //! seeds spread over the folds, `section` follows the field some spacings to either side and pools the points beside it in one
 //! plane across. There `links` and `pieces` cut them to smooth pieces, and `corners` takes the places where two pieces meet at an
-//! angle, `steps` the ends of parallel ones that face each other. `distinct` keeps the places that several cross-sections agree on.
+//! angle, `gaps` those that one of the two does not reach, `steps` the ends of parallel ones that face each other; `flat` tells
+//! the sections of a face alone. `distinct` keeps the places that several cross-sections agree on.
 
 mod corners;
 mod distinct;
@@ -73,7 +74,7 @@ pub(crate) fn edgelets(
         if section.take(&field, seeds[i]) {
             links.find(&section.points, section.noise);
             pieces.cut(section, links, params.evidence);
-            corners::corners(&field, section, links, pieces, params.turn_deg.to_radians(), corners);
+            corners::corners(section, links, pieces, params.turn_deg.to_radians(), corners);
             steps::steps(section, pieces, corners);
             if flat::is_flat(section, pieces, corners) {
                 out.push(Seen::Flat(points[seeds[i]]));

@@ -53,3 +53,43 @@ fn runs(flat: &[bool]) -> Vec<std::ops::Range<usize>> {
     }
     runs
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::resolution::Resolution;
+
+    /// A strip along x with a vertex a spacing.
+    fn strip(count: u32) -> LineGraph {
+        let mut strip = LineGraph::default();
+        for i in 0..count {
+            strip.push_vertex(i, [f64::from(i), 0.0, 0.0]);
+        }
+        (1..count).for_each(|i| strip.add_edge(i - 1, i));
+        strip
+    }
+
+    #[test]
+    fn stretches_over_flat_places_go_unless_an_edgelet_is_near() {
+        let edgelet = Edgelet {
+            place: [5.0, 0.5, 0.0],
+            point: 0,
+            along: [1.0, 0.0, 0.0],
+            arms: [[0.0, 1.0, 0.0], [0.0, 0.0, -1.0]],
+            spacing: 1.0,
+            deviation: 0.1,
+            evidence: 100.0,
+            reach: 9.0,
+        };
+        let flat: Vec<[f64; 3]> = (3..=7).map(|x| [f64::from(x), 0.6, 0.0]).collect();
+        let left = |flat: &[[f64; 3]], edgelets: &[Edgelet]| {
+            let mut strip = strip(12);
+            remove(&mut strip, flat, edgelets, Resolution { spacing: 1.0, noise: 0.0 }.into());
+            strip.edge_count()
+        };
+        assert_eq!(left(&flat, &[]), 5);
+        assert_eq!(left(&flat, &[edgelet]), 11);
+        assert_eq!(left(&flat[..2], &[]), 11);
+        assert_eq!(left(&[], &[]), 11);
+    }
+}

@@ -1,7 +1,6 @@
 //! Corners of a cross-section: where two of its smooth pieces meet at an angle.
 
 use super::Weighted;
-use super::field::Field;
 use super::gaps;
 use super::links::Links;
 use super::pieces::{Piece, Pieces, variance};
@@ -41,7 +40,6 @@ struct Joint {
 
 /// Appends the corners of a section with a turn of at least `least` radians, but for those between two pieces of one circle.
 pub(super) fn corners(
-    field: &Field,
     section: &Section,
     links: &Links,
     pieces: &Pieces,
@@ -56,7 +54,7 @@ pub(super) fn corners(
         admit(section, pieces, joint.pieces, p, least, out);
     }
     let joined = |pair| joints.iter().any(|j| j.pieces == pair && j.count >= JOINT);
-    gaps::gaps(field, section, pieces, joined, |pair, p| admit(section, pieces, pair, p, least, out));
+    gaps::gaps(section, pieces, joined, |pair, p| admit(section, pieces, pair, p, least, out));
 }
 
 /// Appends the corner of two pieces at a place unless they are smooth, a sheet or round there, or the place is vague.
@@ -164,7 +162,7 @@ pub(super) fn meet(a: &Piece, b: &Piece, start: [f64; 2]) -> Option<[f64; 2]> {
 }
 
 /// The unit direction of a piece at `p`, towards its middle.
-pub(super) fn arm(piece: &Piece, p: [f64; 2]) -> [f64; 2] {
+fn arm(piece: &Piece, p: [f64; 2]) -> [f64; 2] {
     let (_, gradient, u) = piece.curve.value(p);
     let along = [gradient[1], -gradient[0]];
     let [a, b] = piece.curve.axis;

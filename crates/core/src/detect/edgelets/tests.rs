@@ -117,6 +117,46 @@ fn moments_give_the_parabola_that_the_points_lie_on_in_any_frame() {
     assert!(Moments::default().fit(1.0).is_none());
 }
 
+/// A wall of even points, and ground before it whose points begin at a distance.
+fn wall_before_ground(gap: f64) -> (Vec<[f64; 3]>, Vec<[f32; 3]>) {
+    let mut rng = Rng::new(11);
+    let mut even = |to: f64| to + 0.2 * rng.gaussian();
+    let (mut points, mut normals) = (Vec::new(), Vec::new());
+    for i in 0..40 {
+        for k in 0..12 {
+            points.push([even(f64::from(i)), 0.0, even(f64::from(k) + 0.5).abs()]);
+            normals.push([0.0, 1.0, 0.0]);
+            points.push([even(f64::from(i)), -even(gap + 0.5 * f64::from(k)).max(gap), 0.0]);
+            normals.push([0.0, 0.0, 1.0]);
+        }
+    }
+    (points, normals)
+}
+
+#[test]
+fn the_foot_of_a_wall_is_found_where_the_ground_begins_a_few_spacings_before_it() {
+    let found = |gap: f64| {
+        let (points, normals) = wall_before_ground(gap);
+        edgelets(&points, &normals, scales(0.01), &EdgeletParams::default()).0
+    };
+    for gap in [1.2, 2.0, 2.6] {
+        let foot = found(gap);
+        assert!(foot.len() > 20, "{gap}: {}", foot.len());
+        for e in foot {
+            assert!(e.place[1].hypot(e.place[2]) < 0.3 && (e.turn() - 1.57).abs() < 0.15, "{gap}: {e:?}");
+        }
+    }
+    assert!(found(3.5).is_empty());
+}
+
+#[test]
+fn flat_places_lie_away_from_the_edge() {
+    let (points, normals) = ridge(1.0, 0.05);
+    let (_, flat) = edgelets(&points, &normals, scales(0.05), &EdgeletParams::default());
+    assert!(flat.len() > 20, "{}", flat.len());
+    assert!(flat.iter().all(|p| p[1].abs() > 1.0), "{flat:?}");
+}
+
 #[test]
 fn both_corners_of_a_step_are_found_where_no_point_lies_on_its_face() {
     for (height, noise) in [(1.4, 0.05), (2.0, 0.05), (1.4, 0.15)] {

@@ -275,6 +275,28 @@ mod tests {
     }
 
     #[test]
+    fn corners_stay_beside_the_path_where_its_sides_are_nearly_parallel() {
+        let unit = crate::Resolution { spacing: 1.0, noise: 0.0 }.into();
+        // There and back on lines that part a little, around a rounded end.
+        for lean in [0.0, 0.01, -0.01, 0.03, -0.03, 0.1] {
+            let line = |k: i32, side: f64| [f64::from(k), side * (1.0 + lean * f64::from(k)), 0.0];
+            let there = (0..=14).rev().map(|k| line(k, -1.0));
+            let round = [[-0.7, -0.7, 0.0], [-1.0, 0.0, 0.0], [-0.7, 0.7, 0.0]];
+            let path: Vec<[f64; 3]> = there.chain(round).chain((0..=14).map(|k| line(k, 1.0))).collect();
+            let mut lines = LineGraph::default();
+            for (i, &p) in (0..).zip(&path) {
+                lines.push_vertex(i, p);
+            }
+            (1..path.len() as u32).for_each(|i| lines.add_edge(i - 1, i));
+            corners(&mut lines, StripKind::Crease, unit, &RepairParams::default());
+            for p in &lines.positions {
+                let off = path.iter().map(|q| distance(*p, *q)).fold(f64::INFINITY, f64::min);
+                assert!(off < 3.0, "{lean}: {p:?}");
+            }
+        }
+    }
+
+    #[test]
     fn a_loop_with_near_corners_stays_closed() {
         let mut found = 0;
         for step in [0.7, 1.0, 1.3] {
