@@ -82,12 +82,18 @@ def drawn(ezdxf, entity):
 
 
 def apart(points, curve):
-    """Distance of an entity from a typed curve, in either direction; a circle may begin anywhere."""
+    """Distance of an entity from a typed curve, in either direction; a circle or a whole ellipse may begin anywhere."""
     wanted = along(curve)
     if curve["type"] == "circle":
         centre, normal = (np.array(curve[k]) for k in ("center", "normal"))
         aside = (points - centre) @ normal
         return max(np.abs(aside).max(), np.abs(np.linalg.norm(points - centre, axis=1) - curve["radius"]).max())
+    if "major" in curve and curve["sweep_deg"] == 360:
+        centre, normal, major = (np.array(curve[k]) for k in ("center", "normal", "major"))
+        size = np.linalg.norm(major)
+        across = np.cross(normal, major) / size
+        radius = np.hypot((points - centre) @ major / size**2, (points - centre) @ across / curve["minor"])
+        return max(np.abs((points - centre) @ normal).max(), size * np.abs(radius - 1).max())
     return min(np.abs(points - wanted).max(), np.abs(points[::-1] - wanted).max())
 
 
