@@ -1,6 +1,5 @@
 //! The graph of one kind of line: vertices with their properties, and the edges between them.
 
-use super::paths::Path;
 use crate::math::vec3::{add_scaled, distance, sub};
 use crate::measure::Evidence;
 
@@ -58,11 +57,6 @@ impl LineGraph {
         self.evidence.push(None);
         self.edges.push(Vec::new());
         (self.edges.len() - 1) as u32
-    }
-
-    /// Removes the edges of a path.
-    pub fn remove_path(&mut self, path: &Path) {
-        path.edges().into_iter().for_each(|(a, b)| self.remove_edge(a, b));
     }
 
     /// Length of the strip from a loose `end` to the next vertex with one edge or more than two.

@@ -21,6 +21,11 @@ impl Path {
         };
         self.vertices.windows(2).map(|w| (w[0], w[1])).chain(closing).collect()
     }
+
+    /// Removes its edges from the graph.
+    pub fn remove_from(&self, lines: &mut LineGraph) {
+        self.edges().into_iter().for_each(|(a, b)| lines.remove_edge(a, b));
+    }
 }
 
 /// All strips, each once: open ones from their lesser end vertex, then loops from their least vertex.

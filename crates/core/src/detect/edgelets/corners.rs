@@ -3,8 +3,8 @@
 use super::Weighted;
 use super::gaps;
 use super::links::Links;
-use super::pieces::{Piece, Pieces, variance};
-use super::section::{Across, Section};
+use super::pieces::{Piece, Pieces, meet, variance};
+use super::section::{Across, CENTRE, Section};
 use crate::curve::circle::Circle;
 use crate::math::vec3::add_scaled;
 use crate::measure::Edgelet;
@@ -17,8 +17,6 @@ const SHORT: (f64, f64) = (0.5, 8.0);
 const JOINT: f64 = 6.0;
 /// Greatest distance of a corner from the joint and from both pieces, in spacings, and what a spacing of noise adds.
 const GAP: (f64, f64) = (0.6, 2.0);
-/// Greatest distance of a corner from the seed, in spacings.
-pub(super) const CENTRE: f64 = 2.5;
 /// Smallest standard deviation of a corner that is believed, in spacings.
 const EXACT: f64 = 0.03;
 /// Least sine of a turn by which the deviation is divided.
@@ -142,23 +140,6 @@ fn corner(section: &Section, p: [f64; 2], pieces: [&Piece; 2], evidence: f64) ->
     let deviation = (one.hypot(other) / edgelet.turn().sin().abs().max(OBLIQUE)).max(EXACT);
     edgelet.deviation = deviation * section.unit;
     Weighted { edgelet, weight: 1.0 / (deviation * deviation * (1.0 + ASIDE * p[0].hypot(p[1]))) }
-}
-
-/// Where the curves of two pieces meet near a place, by Newton's method.
-pub(super) fn meet(a: &Piece, b: &Piece, start: [f64; 2]) -> Option<[f64; 2]> {
-    let mut p = start;
-    for _ in 0..6 {
-        let ((fa, ga, _), (fb, gb, _)) = (a.curve.value(p), b.curve.value(p));
-        let det = ga[0] * gb[1] - ga[1] * gb[0];
-        if det.abs() < 0.1 * ga[0].hypot(ga[1]) * gb[0].hypot(gb[1]) {
-            return None;
-        }
-        p = [p[0] - (fa * gb[1] - fb * ga[1]) / det, p[1] - (ga[0] * fb - gb[0] * fa) / det];
-        if (p[0] - start[0]).hypot(p[1] - start[1]) > 4.0 {
-            return None;
-        }
-    }
-    Some(p)
 }
 
 /// The unit direction of a piece at `p`, towards its middle.

@@ -3,9 +3,8 @@
 //!
 //! Far from a scanner its rows lie several spacings apart on the ground, and the row next to a wall hardly ever touches it.
 
-use super::corners::{CENTRE, meet};
-use super::pieces::Pieces;
-use super::section::Section;
+use super::pieces::{Pieces, meet};
+use super::section::{CENTRE, Section};
 
 /// Least number of points of a piece.
 const FEW: f64 = 8.0;

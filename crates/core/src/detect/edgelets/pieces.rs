@@ -247,6 +247,23 @@ impl Pieces {
     }
 }
 
+/// Where the curves of two pieces meet near a place, by Newton's method.
+pub(super) fn meet(a: &Piece, b: &Piece, start: [f64; 2]) -> Option<[f64; 2]> {
+    let mut p = start;
+    for _ in 0..6 {
+        let ((fa, ga, _), (fb, gb, _)) = (a.curve.value(p), b.curve.value(p));
+        let det = ga[0] * gb[1] - ga[1] * gb[0];
+        if det.abs() < 0.1 * ga[0].hypot(ga[1]) * gb[0].hypot(gb[1]) {
+            return None;
+        }
+        p = [p[0] - (fa * gb[1] - fb * ga[1]) / det, p[1] - (ga[0] * fb - gb[0] * fa) / det];
+        if (p[0] - start[0]).hypot(p[1] - start[1]) > 4.0 {
+            return None;
+        }
+    }
+    Some(p)
+}
+
 /// The sum of squares of points about their parabola over the variance; infinite without one.
 fn cost(sums: &Moments, variance: f64) -> f64 {
     sums.fit(variance).map_or(f64::INFINITY, |p| p.cost)

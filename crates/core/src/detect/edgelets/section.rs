@@ -5,6 +5,8 @@ use crate::math::vec3::{add_scaled, cross, dot, norm, scale, sub, unit};
 
 /// Half the width of a section, in spacings.
 pub(super) const WIDE: f64 = 4.2;
+/// Greatest distance of a corner from the seed, in spacings.
+pub(super) const CENTRE: f64 = 2.5;
 /// Stations on either side of the seed without noise, one spacing apart, what noise adds to them in its own unit of spacings, and
 /// the greatest number: where the line turns, and where it is nearly straight.
 const STATIONS: (f64, f64, f64) = (4.0, 20.0, 9.0);

@@ -4,9 +4,8 @@
 //! a flange. Then both ends are corners, and no link leads from one to the other.
 
 use super::Weighted;
-use super::corners::CENTRE;
 use super::pieces::{Piece, Pieces, variance};
-use super::section::Section;
+use super::section::{CENTRE, Section};
 use crate::math::vec3::add_scaled;
 use crate::measure::Edgelet;
 

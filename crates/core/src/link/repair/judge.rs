@@ -25,7 +25,7 @@ pub(crate) fn judge(lines: &mut LineGraph, scales: Scales, params: &RepairParams
             break;
         }
         for path in &round {
-            lines.remove_path(path);
+            path.remove_from(lines);
         }
     }
     // Neighbouring points share their neighbours, so chance alone adds up to about twenty along the false lines of a noisy round.
