@@ -221,8 +221,8 @@ class SectionParameters(TypedDict, total=False):
     """Mean distance up to which neighbouring sections are alike, for adaptive planes; auto: from the noise. (spacings;
     auto or a number from 0 to 100; default auto)"""
     fit: bool
-    """Whether lines, arcs, circles, ellipses and splines are fitted to the contours, and the stack of slices is read. (true or
-    false; default False)"""
+    """Whether lines, arcs, circles, ellipses and splines are fitted to the contours, and the stack of slices is read.
+    (true or false; default False)"""
     tolerance: float | Literal["auto"]
     """Greatest distance of a fitted curve from its contour; auto: from the spacing and the noise. (unit of the input;
     auto or a number above 0; default auto)"""
