@@ -113,7 +113,8 @@ fn range(low: f32, high: f32, size: usize) -> std::ops::Range<usize> {
     first.min(last)..last
 }
 
-fn distance_to_segment(p: [f32; 2], a: [f32; 2], b: [f32; 2]) -> f32 {
+/// The distance of `p` from the segment from `a` to `b`.
+pub(super) fn distance_to_segment(p: [f32; 2], a: [f32; 2], b: [f32; 2]) -> f32 {
     let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
     let [px, py] = [p[0] - a[0], p[1] - a[1]];
     let length2 = dx * dx + dy * dy;

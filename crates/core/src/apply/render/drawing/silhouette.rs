@@ -7,6 +7,7 @@
 use super::sharpen::sharpened;
 use super::trace::{Crack, chains, joined};
 use crate::apply::render::depth_buffer::DepthBuffer;
+use crate::apply::render::stroke::distance_to_segment;
 use crate::apply::render::surfel::Projected;
 
 /// Least step of the depth at a piece of an outline, in spacings and in pixels: a facet seen at 80 degrees falls by six pixels from one
@@ -128,22 +129,13 @@ fn simplified(line: &[[f32; 2]], tolerance: f32) -> Vec<[f32; 2]> {
         if let Some(k) = kept.get_mut(to) {
             *k = true;
         }
-        let far = |i: usize| distance(line[i], line[from], line[to]);
+        let far = |i: usize| distance_to_segment(line[i], line[from], line[to]);
         let most = (from + 1..to).max_by(|&a, &b| far(a).total_cmp(&far(b)));
         if let Some(middle) = most.filter(|&i| far(i) > tolerance) {
             open.extend([(from, middle), (middle, to)]);
         }
     }
     line.iter().zip(kept).filter(|(_, kept)| *kept).map(|(&p, _)| p).collect()
-}
-
-/// Distance of a point from a segment.
-fn distance(p: [f32; 2], a: [f32; 2], b: [f32; 2]) -> f32 {
-    let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
-    let [px, py] = [p[0] - a[0], p[1] - a[1]];
-    let length2 = dx * dx + dy * dy;
-    let t = if length2 > 0.0 { ((px * dx + py * dy) / length2).clamp(0.0, 1.0) } else { 0.0 };
-    (px - t * dx).hypot(py - t * dy)
 }
 
 #[cfg(test)]
