@@ -32,6 +32,18 @@ pub enum Error {
         /// Distinct finite points.
         distinct: usize,
     },
+    /// A point lies beyond the bounds that were given for the cloud.
+    #[error("{value} on axis {axis} lies beyond the bounds {min} to {max} given for the cloud")]
+    OutOfBounds {
+        /// 0 for x, 1 for y, 2 for z.
+        axis: usize,
+        /// The coordinate.
+        value: f64,
+        /// Least coordinate of the bounds on the axis.
+        min: f64,
+        /// Greatest coordinate of the bounds on the axis.
+        max: f64,
+    },
     /// A detector's measure does not match the points.
     #[error("the measure of the detector: {fault}")]
     Measure {

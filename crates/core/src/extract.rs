@@ -80,10 +80,7 @@ fn pipeline(
     report.used = method::used(&cloud, params);
     report.notes.extend(method::notes(&cloud, clusters.as_ref(), params));
     let Prepared { frame, source, canonical, clutter, .. } = cloud;
-    let ends: Vec<_> = network.strips.iter().map(|s| [s.start, s.end]).collect();
-    let (network, stay) = to_world(network, &frame, &source, related.regularised.is_some());
-    let met = |n: usize| ends.iter().zip(&stay).any(|(e, &s)| s && e.contains(&Some(n as u32)));
-    let related = related.placed(&frame).of_strips(&stay, met);
+    let (network, related, stay) = placed(network, related, &frame, &source);
     let patches = patches.map(|p| p.placed(&frame).of_strips(&stay));
     Ok(Extraction {
         report,
@@ -99,6 +96,19 @@ fn pipeline(
         related,
         patches,
     })
+}
+
+/// Takes a network and the relations in it to the world frame; tells whether each strip stays.
+pub(crate) fn placed(
+    network: Network,
+    related: Related,
+    frame: &Frame,
+    source: &[u32],
+) -> (Network, Related, Vec<bool>) {
+    let ends: Vec<_> = network.strips.iter().map(|s| [s.start, s.end]).collect();
+    let (network, stay) = to_world(network, frame, source, related.regularised.is_some());
+    let met = |n: usize| ends.iter().zip(&stay).any(|(e, &s)| s && e.contains(&Some(n as u32)));
+    (network, related.placed(frame).of_strips(&stay, met), stay)
 }
 
 /// The results of [`extract`], stage by stage.

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use crate::cloud::Cloud;
 use crate::error::Error;
 use crate::parallel;
-use morton::{Grid, LEVELS};
+pub(crate) use morton::{BITS, Grid, LEVELS, Levels, cell, finite};
 use order::Ordered;
 
 /// Squares of coordinate differences beyond this extent could overflow.
@@ -100,15 +100,35 @@ impl Frame {
         }
         let bounds = Bounds::of(points);
         let grid = Grid::new(bounds.corner(), bounds.extent()?);
-        let Ordered { relative: mut positions, mut source, levels } = order::canonical(&grid, points);
-        let frame = Frame { offset: grid.offset, scale: grid.spacing(&levels) };
-        let to_local = 1.0 / frame.scale;
+        let ordered = order::canonical(&grid, points);
+        Ok(Frame::of_levels(&grid, &ordered.levels).localised(ordered, points.len()))
+    }
+
+    /// The frame of a cloud in its grid, by the levels at which its points part in the order.
+    pub(crate) fn of_levels(grid: &Grid, levels: &Levels) -> Frame {
+        Frame { offset: grid.offset, scale: grid.spacing(levels) }
+    }
+
+    /// Some points of a cloud in its frame and in its order; sources are indices of `points`.
+    pub(crate) fn of_part(self, grid: &Grid, points: &[[f64; 3]]) -> Localised {
+        self.localised(order::canonical(grid, points), points.len())
+    }
+
+    /// Some points of a cloud from its least corner, in world lengths and in its order, and the levels at which neighbours part.
+    pub(crate) fn sorted(grid: &Grid, points: &[[f64; 3]]) -> (Vec<[f64; 3]>, Levels) {
+        let Ordered { relative, levels, .. } = order::canonical(grid, points);
+        (relative, levels)
+    }
+
+    fn localised(self, ordered: Ordered, read: usize) -> Localised {
+        let Ordered { relative: mut positions, mut source, levels } = ordered;
+        let to_local = 1.0 / self.scale;
         parallel::each(positions.chunks_mut(CHUNK), |_, chunk| {
             chunk.iter_mut().for_each(|p| *p = p.map(|x| x * to_local));
         });
         let finite = positions.len();
         let repeats = if levels[LEVELS] > 0 { merge(&mut positions, &mut source) } else { Vec::new() };
-        Ok(Localised { frame, positions, source, repeats, dropped: points.len() - finite })
+        Localised { frame: self, positions, source, repeats, dropped: read - finite }
     }
 
     /// The world coordinates of a local point.
@@ -137,17 +157,17 @@ pub(crate) fn on_grid(local: f64) -> f64 {
 }
 
 /// The least and greatest finite coordinates on each axis.
-#[derive(Clone, Copy)]
-struct Bounds {
-    min: [f64; 3],
-    max: [f64; 3],
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Bounds {
+    pub(crate) min: [f64; 3],
+    pub(crate) max: [f64; 3],
 }
 
 impl Bounds {
-    const NONE: Bounds = Bounds { min: [f64::INFINITY; 3], max: [f64::NEG_INFINITY; 3] };
+    pub(crate) const NONE: Bounds = Bounds { min: [f64::INFINITY; 3], max: [f64::NEG_INFINITY; 3] };
 
     /// Over the points of which all three coordinates are finite.
-    fn of(points: &[[f64; 3]]) -> Bounds {
+    pub(crate) fn of(points: &[[f64; 3]]) -> Bounds {
         let chunks = parallel::each(points.chunks(CHUNK), |_, chunk| Bounds::of_chunk(chunk));
         chunks.into_iter().fold(Bounds::NONE, Bounds::union)
     }
@@ -159,7 +179,7 @@ impl Bounds {
             .fold(Bounds::NONE, |b, &p| b.union(Bounds { min: p, max: p }))
     }
 
-    fn union(self, other: Bounds) -> Bounds {
+    pub(crate) fn union(self, other: Bounds) -> Bounds {
         let less = |a: f64, b: f64| if b < a { b } else { a };
         let more = |a: f64, b: f64| if b > a { b } else { a };
         Bounds {
@@ -169,12 +189,15 @@ impl Bounds {
     }
 
     /// The local origin. Adding zero turns -0.0, which may or may not have been the least zero, into 0.0.
-    fn corner(&self) -> [f64; 3] {
+    pub(crate) fn corner(&self) -> [f64; 3] {
         self.min.map(|x| if x.is_finite() { x + 0.0 } else { 0.0 })
     }
 
     /// The longest side; zero without points.
-    fn extent(&self) -> Result<f64, Error> {
+    ///
+    /// # Errors
+    /// [`Error::Extent`] where squared distances could overflow.
+    pub(crate) fn extent(&self) -> Result<f64, Error> {
         let mut longest = 0.0_f64;
         for axis in 0..3 {
             let (min, max) = (self.min[axis], self.max[axis]);

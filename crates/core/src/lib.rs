@@ -99,6 +99,7 @@ pub mod params;
 pub mod patch;
 mod pattern;
 mod prepare;
+mod reach;
 mod recover;
 pub mod relation;
 mod report;
@@ -106,6 +107,7 @@ mod resolution;
 pub mod section;
 pub mod shapes;
 pub mod surface;
+pub mod tile;
 
 pub use clean::{Cleaned, clean, clean_observed};
 pub use cloud::{Attribute, Cloud, Column};

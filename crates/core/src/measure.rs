@@ -193,6 +193,17 @@ impl Penalties {
         self.evidence.push(row.evidence);
     }
 
+    /// The penalties of one candidate.
+    pub(crate) fn row(&self, c: usize) -> Row {
+        Row {
+            scalar: self.scalar[c],
+            vector: self.vector[c],
+            corner: self.corner[c],
+            foot: self.foot[c],
+            evidence: self.evidence[c],
+        }
+    }
+
     /// The number of candidates.
     pub fn len(&self) -> usize {
         self.points.len()

@@ -7,10 +7,11 @@ pub use segments::ClusterStages;
 
 use crate::detect::edgelets::edgelets;
 use crate::detect::{penalty, projection};
+use crate::error::Error;
 use crate::link::{self, CycleRule, Metric};
 use crate::measure::Measure;
 use crate::network::Network;
-use crate::params::{Method, Params, PenaltyForm, SegmentForm};
+use crate::params::{Method, ParamValue, Params, PenaltyForm, SegmentForm, WedgeForm};
 use crate::patch::{self, Ground, Patches};
 use crate::pattern::Pattern;
 use crate::prepare::Prepared;
@@ -41,6 +42,35 @@ pub(crate) fn detect(cloud: &Prepared, params: &Params) -> Measure {
         Method::Segments => segments::detect(cloud, params),
         Method::Projection => projection::candidates::measure(positions, graph, *resolution, params),
     }
+}
+
+/// Steps along the neighbour graph over which the detector reads, at least one.
+pub(crate) fn steps(cloud: &Prepared, params: &Params) -> usize {
+    penalty::robust_steps(&params.penalty, cloud.scales(), cloud.positions.len())
+}
+
+/// Refuses what does not run over tiles.
+///
+/// # Errors
+/// [`Error::Parameter`] with the first parameter at fault.
+pub(crate) fn refuse_tiles(params: &Params) -> Result<(), Error> {
+    let fault = |key: &str, value: &str, expected: &str| {
+        let expected = format!("{expected}, as clouds in tiles have no more yet");
+        Err(Error::Parameter { key: key.into(), value: value.into(), expected })
+    };
+    if params.method != Method::Penalty {
+        return fault("method", &params.method.show(), "penalty");
+    }
+    if params.penalty.form != PenaltyForm::Robust {
+        return fault("penalty.form", &params.penalty.form.show(), "robust");
+    }
+    if params.recover.wedge != WedgeForm::None {
+        return fault("recover.wedge", &params.recover.wedge.show(), "none");
+    }
+    if wants_patches(params) {
+        return fault("patches.find", "true", "false");
+    }
+    Ok(())
 }
 
 /// Runs the method's linker; the method `segments` also returns its steps.
@@ -153,5 +183,5 @@ pub(crate) fn notes(cloud: &Prepared, clusters: Option<&ClusterStages>, params: 
 }
 
 fn cycle_rule<'a>(cloud: &'a Prepared, params: &Params) -> CycleRule<'a> {
-    CycleRule::new(&params.spanning, params.penalty.form, cloud.positions.len(), cloud.scales())
+    CycleRule::new(&params.spanning, params.penalty.form, cloud.count, cloud.scales())
 }

@@ -10,7 +10,7 @@ use crate::resolution::Resolution;
 use crate::surface::{self, CLUTTER, Findings, Scales, evened, spacings};
 
 /// Fewest distinct points that can lie on a surface.
-const SURFACE_POINTS: usize = 4;
+pub(crate) const SURFACE_POINTS: usize = 4;
 /// Greatest distance of collinear points from their line, as a share of its length.
 const COLLINEAR: f64 = 1e-9;
 
@@ -32,6 +32,8 @@ pub(crate) struct Prepared {
     pub(crate) clutter: Vec<u32>,
     /// `(M)` spacing at each point; empty if the mean holds everywhere.
     spacing: Vec<f32>,
+    /// The number of points on surfaces in the whole cloud, of which `positions` may be a part.
+    pub(crate) count: usize,
     findings: Findings,
     dropped: usize,
     merged: usize,
@@ -69,11 +71,11 @@ pub(crate) fn prepare(world: &[[f64; 3]], params: &Params, clock: &mut Clock) ->
         })?;
     }
     let Joined { nearest, graph, resolution } = joined;
-    let own =
-        matches!(params.method, Method::Auto | Method::Penalty) && params.penalty.form == PenaltyForm::Robust;
-    let spacing = if own { evened(&spacings(&positions, &nearest), resolution) } else { Vec::new() };
+    let spacing =
+        if scaled(params) { evened(&spacings(&positions, &nearest), resolution) } else { Vec::new() };
     Ok(Prepared {
         frame,
+        count: positions.len(),
         positions,
         source,
         canonical,
@@ -101,6 +103,22 @@ pub(crate) fn cleaned(params: &Params) -> bool {
     }
 }
 
+/// Whether the method takes the spacing at each point for the unit of lengths there.
+pub(crate) fn scaled(params: &Params) -> bool {
+    matches!(params.method, Method::Auto | Method::Penalty) && params.penalty.form == PenaltyForm::Robust
+}
+
+/// The resolution that counts: its noise is that of the parameters if they give one.
+pub(crate) fn given(resolution: Resolution, params: &Params) -> Resolution {
+    match params.penalty.noise_spacings {
+        // The ratio that was estimated keeps every bit of the noise.
+        Auto::Given(ratio) if ratio != resolution.noise / resolution.spacing => {
+            Resolution { noise: ratio * resolution.spacing, ..resolution }
+        }
+        _ => resolution,
+    }
+}
+
 /// The neighbour graph of the points, and their resolution.
 #[derive(Default)]
 struct Joined {
@@ -116,20 +134,13 @@ impl Joined {
 
     fn over(nearest: Neighbors, positions: &[[f64; 3]], params: &Params) -> Joined {
         let graph = riemannian::graph(positions, &nearest);
-        let resolution = Resolution::estimate(positions, &nearest, &graph);
-        let resolution = match params.penalty.noise_spacings {
-            // The ratio that was estimated keeps every bit of the noise.
-            Auto::Given(ratio) if ratio != resolution.noise / resolution.spacing => {
-                Resolution { noise: ratio * resolution.spacing, ..resolution }
-            }
-            _ => resolution,
-        };
+        let resolution = given(Resolution::estimate(positions, &nearest, &graph), params);
         Joined { nearest, graph, resolution }
     }
 }
 
 /// `(N)` new index of each point that represents itself; `u32::MAX` for the others.
-fn numbers(stands: &[u32]) -> Vec<u32> {
+pub(crate) fn numbers(stands: &[u32]) -> Vec<u32> {
     let mut next = 0;
     let number = |(&stand, i): (&u32, u32)| {
         let stays = stand == i;
@@ -164,6 +175,33 @@ fn take_out(
 }
 
 impl Prepared {
+    /// A part of a cloud of `count` points on surfaces, as far as detectors and linkers for lines read it. `spacing` is that at each point;
+    /// empty if the mean holds everywhere.
+    pub(crate) fn of_part(
+        frame: Frame,
+        (positions, source): (Vec<[f64; 3]>, Vec<u32>),
+        graph: Neighbors,
+        (resolution, spacing): (Resolution, Vec<f32>),
+        count: usize,
+    ) -> Prepared {
+        let (canonical, clutter, findings) = Default::default();
+        let (dropped, merged) = (0, 0);
+        Prepared {
+            frame,
+            positions,
+            source,
+            canonical,
+            graph,
+            resolution,
+            clutter,
+            spacing,
+            count,
+            findings,
+            dropped,
+            merged,
+        }
+    }
+
     /// Whether the stage `surface` left points out.
     pub(crate) fn is_part(&self) -> bool {
         self.positions.len() + self.merged + self.dropped < self.canonical.len()
@@ -172,6 +210,11 @@ impl Prepared {
     /// Whether any of the points lie on a surface, as far as this was asked.
     pub(crate) fn has_surface(&self) -> bool {
         !self.findings.none
+    }
+
+    /// The spacing at a point; `None` if the mean holds everywhere.
+    pub(crate) fn spacing_at(&self, i: usize) -> Option<f32> {
+        self.spacing.get(i).copied()
     }
 
     /// Spacing and noise at every point.

@@ -14,7 +14,7 @@ mod wedge;
 mod world;
 
 pub(crate) use ends::settle as settle_ends;
-pub(crate) use faces::refit;
+pub(crate) use faces::{HOPS as FACE_HOPS, refit};
 pub(crate) use observe::observe;
 pub(crate) use rings::close as close_rings;
 pub(crate) use sharpen::sharpen;

@@ -42,6 +42,14 @@ pub fn penalty(points: &[[f64; 3]], graph: &Neighbors, scales: Scales, params: &
     }
 }
 
+/// Steps along the neighbour graph over which the robust form reads: the values of a point depend on the rows, positions and scales
+/// of points less than so many edges away, and on the positions of those that many away. The form as printed has no such bound, as it
+/// reads the greatest curvature of all points.
+pub(crate) fn robust_steps(params: &PenaltyParams, scales: Scales, count: usize) -> usize {
+    let widest = (0..count).map(|i| hops(params.hops, scales.at(i))).max();
+    robust::steps(widest.unwrap_or(1))
+}
+
 /// The border penalties alone.
 pub fn borders(
     points: &[[f64; 3]],

@@ -1,26 +1,32 @@
 //! Morton order of points, as deep as their coordinates differ, and the spacing that the order tells.
 
 /// Bits an axis in one code.
-pub(super) const BITS: u32 = 21;
+pub(crate) const BITS: u32 = 21;
 /// Levels of cells that share a bucket when points are sorted.
 pub(super) const BUCKET_LEVELS: u32 = 4;
 /// Codes a point can have, each refining the cell of the one before. Past them positions are compared.
 pub(super) const DEPTHS: u32 = 3;
 /// Levels of cells below the root.
-pub(super) const LEVELS: usize = (BITS * DEPTHS) as usize;
+pub(crate) const LEVELS: usize = (BITS * DEPTHS) as usize;
 /// How many neighbours in the order first differ at a level: `[l]` counts pairs that share a cell at level `l`
 /// but not at `l + 1`.
-pub(super) type Levels = [usize; LEVELS + 1];
+pub(crate) type Levels = [usize; LEVELS + 1];
 
 /// Whether all three coordinates are finite.
-pub(super) fn finite(p: &[f64; 3]) -> bool {
+pub(crate) fn finite(p: &[f64; 3]) -> bool {
     p.iter().all(|x| x.is_finite())
 }
 
+/// The coordinates of a cell by its code, of no more than [`BITS`] levels.
+pub(crate) fn cell(code: u64) -> [u32; 3] {
+    [code >> 2, code >> 1, code].map(gathered)
+}
+
 /// A cube at the least corner whose side is a power of two, halved level by level.
-pub(super) struct Grid {
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Grid {
     /// World coordinates of the least corner.
-    pub(super) offset: [f64; 3],
+    pub(crate) offset: [f64; 3],
     /// Binary exponent of the cube's side.
     exponent: i32,
     /// From the distance from the corner to cells of the first code.
@@ -29,7 +35,7 @@ pub(super) struct Grid {
 
 impl Grid {
     /// The cube at `offset` that holds all within `extent` of it.
-    pub(super) fn new(offset: [f64; 3], extent: f64) -> Grid {
+    pub(crate) fn new(offset: [f64; 3], extent: f64) -> Grid {
         // Clamped so that powers of two stay normal numbers: a cloud smaller than 2^-1000 has coarser cells.
         let exponent = (exponent_of(extent) + 1).clamp(-1000, 1000);
         Grid { offset, exponent, to_cell: power_of_two(BITS as i32 - exponent) }
@@ -37,13 +43,13 @@ impl Grid {
 
     /// The vector from the least corner, without negative zeros.
     #[inline]
-    pub(super) fn relative(&self, p: [f64; 3]) -> [f64; 3] {
+    pub(crate) fn relative(&self, p: [f64; 3]) -> [f64; 3] {
         std::array::from_fn(|a| (p[a] - self.offset[a]) + 0.0)
     }
 
     /// The code at a depth of a point by its vector from the least corner: cells of `21 * (depth + 1)` levels. Every step is exact.
     #[inline]
-    pub(super) fn code(&self, relative: [f64; 3], depth: u32) -> u64 {
+    pub(crate) fn code(&self, relative: [f64; 3], depth: u32) -> u64 {
         let mut x = relative.map(|x| x * self.to_cell);
         for _ in 0..depth {
             x = x.map(|x| (x - x.floor()) * f64::from(1u32 << BITS));
@@ -61,10 +67,15 @@ impl Grid {
         spread(x) << 2 | spread(y) << 1 | spread(z)
     }
 
+    /// The side of a cell at a level.
+    pub(crate) fn side(&self, level: u32) -> f64 {
+        power_of_two((self.exponent - level as i32).max(-1022))
+    }
+
     /// A power of two near the mean spacing: half the side of the finest cells that hold two or more points on
     /// average. On a curve, a surface and in a volume alike that is within a factor of two; only integers are
     /// compared, so that every machine agrees.
-    pub(super) fn spacing(&self, levels: &Levels) -> f64 {
+    pub(crate) fn spacing(&self, levels: &Levels) -> f64 {
         let count = 1 + levels[..LEVELS].iter().sum::<usize>();
         let mut cells = 1;
         let mut level = 0;
@@ -110,9 +121,26 @@ const fn spread(x: u64) -> u64 {
     (x | x << 2) & 0x1249_2492_4924_9249
 }
 
+/// Undoes [`spread`].
+const fn gathered(x: u64) -> u32 {
+    let x = x & 0x1249_2492_4924_9249;
+    let x = (x ^ x >> 2) & 0x10c3_0c30_c30c_30c3;
+    let x = (x ^ x >> 4) & 0x100f_00f0_0f00_f00f;
+    let x = (x ^ x >> 8) & 0x001f_0000_ff00_00ff;
+    let x = (x ^ x >> 16) & 0x001f_0000_0000_ffff;
+    ((x ^ x >> 32) & 0x1f_ffff) as u32
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_cell_has_the_coordinates_of_its_code() {
+        for x in [0, 1, 5, 0x15_5555, 0x1f_ffff] {
+            assert_eq!(cell(spread(x) << 2 | spread(7) << 1 | spread(0x10_0001)), [x as u32, 7, 0x10_0001]);
+        }
+    }
 
     #[test]
     fn a_bucket_is_the_upper_bits_of_the_code() {

@@ -12,7 +12,7 @@ use crate::parallel;
 /// Number of parts of the cloud that are processed in parallel: fixed, and small enough to separate edges by pairs of parts.
 const PARTS: usize = 64;
 /// Multiple of a list's greatest distance above which a point that lists its owner does not enter it.
-const STRAY: f64 = 8.0;
+pub(crate) const STRAY: f64 = 8.0;
 
 /// The Riemannian graph over `nearest`, the result of [`all_nearest`](super::all_nearest) for the same `(N, 3)` `positions`:
 /// each list joined with the points that list its owner, sorted by (distance, index). The paper takes `k` from 10 to 16.

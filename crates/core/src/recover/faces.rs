@@ -16,6 +16,7 @@ use crate::network::{Network, Strip, StripKind};
 use crate::parallel;
 use crate::surface::Scales;
 pub(super) use fitted::Fitted;
+pub(crate) use gather::HOPS;
 pub(super) use gather::near;
 pub(super) use lengths::Lengths;
 pub(super) use profile::Profile;

@@ -7,7 +7,6 @@
 //! such as a stray return or a point in the thread of a veil. Finally points among clutter join it, and so do islands in it
 //! that are too small to be surface.
 
-use super::islands::islands;
 use super::support::{Plane, supported};
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::distance;
@@ -36,45 +35,81 @@ const ALONE: f32 = 1.5;
 /// Share of neighbours in clutter above which a point joins it: without support, and with it.
 const DRAWN: (f64, f64) = (0.2, 0.5);
 /// Rounds in which points join clutter; it grows by one neighbour in each.
-const ROUNDS: usize = 3;
+pub(super) const ROUNDS: usize = 3;
 /// Fewest points of a piece of surface.
 const ISLAND: u32 = super::PIECE as u32;
 
-/// `(N)` whether each point is clutter, and the number of points in crowds that are.
-///
-/// `nearest` are the lists of nearest neighbours in order of distance, `raw` the mean distance of the first of them, `spacing`
-/// the same smoothed, `gaps` the distances of rows, zero outside of rows. Points in rows never count as alone, as at the end of
-/// a row the neighbours are farther than within it.
-pub(super) fn clutter(
-    points: &[[f64; 3]],
-    nearest: &Neighbors,
-    planes: &[Plane],
-    raw: &[f32],
-    spacing: &[f32],
-    gaps: &[f32],
-    mean: Resolution,
-) -> (Vec<bool>, usize) {
-    let held = |enough: &(dyn Fn(usize) -> usize + Sync)| {
-        supported(points, nearest, planes, raw, spacing, mean, enough)
-    };
-    let bare: Vec<bool> = held(&|_| SUPPORT).iter().map(|s| !s).collect();
-    let beyond = |i: usize, times: f32| gaps[i] == 0.0 && raw[i] > times * spacing[i];
-    let steady = held(&|i| if beyond(i, FAR) { FAR_SUPPORT } else { 0 });
-    let crowd = where_share(nearest, &bare, CROWD.0);
-    let deep = where_share(nearest, &crowd, CROWD.1);
-    let reach: Vec<f32> = raw.iter().zip(spacing).map(|(&r, &s)| LINK * r.max(s)).collect();
-    let mut clutter = pieces(points, nearest, &reach, &crowd, &deep);
-    let scattered = clutter.iter().filter(|&&c| c).count();
-    let alone = |i: usize| bare[i] && beyond(i, ALONE) || !steady[i];
-    clutter = parallel::map(points.len(), parallel::QUICK, |i| clutter[i] || alone(i));
+/// What is known of every point before crowds are judged as wholes.
+pub(crate) struct Marks {
+    /// Points without support.
+    pub(super) bare: Vec<bool>,
+    /// Points that are clutter by themselves.
+    pub(super) alone: Vec<bool>,
+    /// Points in a crowd, and those deep in it.
+    pub(crate) crowd: Vec<bool>,
+    pub(crate) deep: Vec<bool>,
+    /// Greatest length of a link from each point.
+    pub(super) reach: Vec<f32>,
+}
+
+impl Marks {
+    /// `nearest` are the lists of nearest neighbours in order of distance, `raw` the mean distance of the first of them, `spacing`
+    /// the same smoothed, `gaps` the distances of rows, zero outside of rows. Points in rows never count as alone, as at the end of
+    /// a row the neighbours are farther than within it.
+    pub(super) fn new(
+        points: &[[f64; 3]],
+        nearest: &Neighbors,
+        planes: &[Plane],
+        (raw, spacing, gaps): (&[f32], &[f32], &[f32]),
+        mean: Resolution,
+    ) -> Marks {
+        let held = |enough: &(dyn Fn(usize) -> usize + Sync)| {
+            supported(points, nearest, planes, raw, spacing, mean, enough)
+        };
+        let bare: Vec<bool> = held(&|_| SUPPORT).iter().map(|s| !s).collect();
+        let beyond = |i: usize, times: f32| gaps[i] == 0.0 && raw[i] > times * spacing[i];
+        let steady = held(&|i| if beyond(i, FAR) { FAR_SUPPORT } else { 0 });
+        let crowd = where_share(nearest, &bare, CROWD.0);
+        let deep = where_share(nearest, &crowd, CROWD.1);
+        let reach = raw.iter().zip(spacing).map(|(&r, &s)| LINK * r.max(s)).collect();
+        let alone = (0..points.len()).map(|i| bare[i] && beyond(i, ALONE) || !steady[i]).collect();
+        Marks { bare, alone, crowd, deep, reach }
+    }
+}
+
+/// Whether a crowd is clutter, by the points in it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Crowd {
+    size: u64,
+    deep: u64,
+    touches: bool,
+}
+
+impl Crowd {
+    /// Adds a point, deep in the crowd or not, that touches points outside of all crowds or not.
+    pub(crate) fn add(&mut self, deep: bool, touches: bool) {
+        self.size += 1;
+        self.deep += u64::from(deep);
+        self.touches |= touches;
+    }
+
+    /// Whether it is clutter.
+    pub(crate) fn is_clutter(&self) -> bool {
+        let deep = self.deep >= u64::from(ISLAND) && self.deep as f64 >= MOSTLY_DEEP * self.size as f64;
+        deep || !self.touches
+    }
+}
+
+/// `(N)` whether each point is clutter, by the crowds that are and apart from islands in it.
+pub(super) fn grown(nearest: &Neighbors, marks: &Marks, crowds: &[bool]) -> Vec<bool> {
+    let Marks { bare, alone, .. } = marks;
+    let mut clutter: Vec<bool> = crowds.iter().zip(alone).map(|(crowd, alone)| *crowd || *alone).collect();
     for _ in 0..ROUNDS {
         let [little, most] = [DRAWN.0, DRAWN.1].map(|share| where_share(nearest, &clutter, share));
-        clutter =
-            parallel::map(points.len(), parallel::QUICK, |i| clutter[i] || most[i] || (bare[i] && little[i]));
+        let drawn = |i: usize| clutter[i] || most[i] || (bare[i] && little[i]);
+        clutter = parallel::map(bare.len(), parallel::QUICK, drawn);
     }
-    let small = islands(points, nearest, &reach, &clutter);
-    clutter = parallel::map(points.len(), parallel::QUICK, |i| clutter[i] || small[i]);
-    (clutter, scattered)
+    clutter
 }
 
 /// `(N)` whether more than the given share of the neighbours of each point are marked.
@@ -86,42 +121,35 @@ fn where_share(nearest: &Neighbors, marked: &[bool], share: f64) -> Vec<bool> {
     parallel::map(marked.len(), parallel::QUICK, over)
 }
 
+/// The points of crowds that point `i` of a crowd is linked to, and whether it touches points outside of crowds.
+pub(crate) fn links(points: &[[f64; 3]], nearest: &Neighbors, marks: &Marks, i: usize) -> (Vec<u32>, bool) {
+    let Marks { crowd, reach, .. } = marks;
+    let linked = |&j: &u32| {
+        let bound = f64::from(reach[i].min(reach[j as usize]));
+        distance(points[i], points[j as usize]) <= bound
+    };
+    let (others, outside): (Vec<u32>, Vec<u32>) =
+        nearest.of(i).iter().copied().filter(linked).partition(|&j| crowd[j as usize]);
+    (others, !outside.is_empty())
+}
+
 /// `(N)` whether each point belongs to a crowd that is clutter.
-fn pieces(
-    points: &[[f64; 3]],
-    nearest: &Neighbors,
-    reach: &[f32],
-    crowd: &[bool],
-    deep: &[bool],
-) -> Vec<bool> {
+pub(super) fn crowds(points: &[[f64; 3]], nearest: &Neighbors, marks: &Marks) -> Vec<bool> {
+    let Marks { crowd, deep, .. } = marks;
     let mut sets = UnionFind::new(points.len());
     let mut touching = vec![false; points.len()];
     for i in (0..points.len()).filter(|&i| crowd[i]) {
-        for j in nearest.of(i).iter().map(|&j| j as usize) {
-            if distance(points[i], points[j]) <= f64::from(reach[i].min(reach[j])) {
-                if crowd[j] {
-                    sets.union(i as u32, j as u32);
-                } else {
-                    touching[i] = true;
-                }
-            }
-        }
+        let (others, touches) = links(points, nearest, marks, i);
+        others.into_iter().for_each(|j| {
+            sets.union(i as u32, j);
+        });
+        touching[i] = touches;
     }
-    let (mut size, mut depth, mut touches) =
-        (vec![0_u32; points.len()], vec![0_u32; points.len()], vec![false; points.len()]);
+    let mut pieces = vec![Crowd::default(); points.len()];
     for i in (0..points.len()).filter(|&i| crowd[i]) {
-        let piece = sets.find(i as u32) as usize;
-        size[piece] += 1;
-        depth[piece] += u32::from(deep[i]);
-        touches[piece] |= touching[i];
+        pieces[sets.find(i as u32) as usize].add(deep[i], touching[i]);
     }
-    let mut is_clutter = |i: usize| {
-        let piece = sets.find(i as u32) as usize;
-        let is_deep =
-            depth[piece] >= ISLAND && f64::from(depth[piece]) >= MOSTLY_DEEP * f64::from(size[piece]);
-        crowd[i] && (is_deep || !touches[piece])
-    };
-    (0..points.len()).map(&mut is_clutter).collect()
+    (0..points.len()).map(|i| crowd[i] && pieces[sets.find(i as u32) as usize].is_clutter()).collect()
 }
 
 #[cfg(test)]

@@ -41,16 +41,16 @@ pub(super) fn islands(points: &[[f64; 3]], nearest: &Neighbors, reach: &[f32], o
 }
 
 /// The links between points of one piece.
-struct Links<'a> {
-    points: &'a [[f64; 3]],
-    nearest: &'a Neighbors,
-    reach: &'a [f32],
-    out: &'a [bool],
+pub(super) struct Links<'a> {
+    pub(super) points: &'a [[f64; 3]],
+    pub(super) nearest: &'a Neighbors,
+    pub(super) reach: &'a [f32],
+    pub(super) out: &'a [bool],
 }
 
 impl Links<'_> {
     /// The points that `i` lists and is linked to.
-    fn of(&self, i: usize) -> impl Iterator<Item = usize> + '_ {
+    pub(super) fn of(&self, i: usize) -> impl Iterator<Item = usize> + '_ {
         let linked = move |j: &usize| {
             let reach = f64::from(self.reach[i].min(self.reach[*j]));
             !self.out[*j] && distance2(self.points[i], self.points[*j]) <= reach * reach

@@ -16,18 +16,12 @@ const SEARCHED: usize = 64;
 /// Least distance of the next row from the line through the point along its own, spacings.
 const BESIDE: f64 = 1.5;
 /// Greatest distance of the next row, spacings: the surface between rows farther apart is unknown.
-const FARTHEST: f64 = 12.0;
+pub(super) const FARTHEST: f64 = 12.0;
 
 /// `(N)` distance from each point to the next row, smoothed; zero for points outside of rows, and in rows without another beside
 /// them.
 pub(super) fn gaps(points: &[[f64; 3]], nearest: &Neighbors, planes: &[Plane], spacing: &[f32]) -> Vec<f32> {
-    let long = parallel::map(planes.len(), parallel::QUICK, |i| planes[i].elongation > ELONGATED);
-    let row = |i: usize| {
-        let near = nearest.of(i);
-        2 * near.iter().filter(|&&j| long[j as usize]).count() > near.len()
-    };
-    let rows =
-        parallel::flat_map(points.len(), parallel::QUICK, |i, rows| rows.extend(row(i).then_some(i as u32)));
+    let rows = in_rows(nearest, planes);
     if rows.is_empty() {
         return vec![0.0; points.len()];
     }
@@ -36,6 +30,16 @@ pub(super) fn gaps(points: &[[f64; 3]], nearest: &Neighbors, planes: &[Plane], s
         gap(points, &index, nearest, spacing, rows[r], found)
     });
     smoothed(points.len(), nearest, &rows, &gaps)
+}
+
+/// The points in rows, ascending.
+pub(super) fn in_rows(nearest: &Neighbors, planes: &[Plane]) -> Vec<u32> {
+    let long = parallel::map(planes.len(), parallel::QUICK, |i| planes[i].elongation > ELONGATED);
+    let row = |i: usize| {
+        let near = nearest.of(i);
+        2 * near.iter().filter(|&&j| long[j as usize]).count() > near.len()
+    };
+    parallel::flat_map(nearest.len(), parallel::QUICK, |i, rows| rows.extend(row(i).then_some(i as u32)))
 }
 
 /// The number of points in rows, and the medians of the ratio of their distances across and along the rows, and of the distance

@@ -17,7 +17,7 @@ const DENSER: (f64, f64) = (1.6, 2.5);
 /// Nearest neighbours whose mean distance is the spacing at a point.
 const NEAREST: usize = 6;
 /// Rounds of medians over the direct neighbours.
-const ROUNDS: usize = 2;
+pub(super) const ROUNDS: usize = 2;
 
 /// Spacing and noise of the cloud, and the spacing at every point if it differs from place to place.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -17,13 +17,13 @@ const FITTED: usize = 8;
 /// Neighbours that are counted.
 const COUNTED: usize = 24;
 /// Greatest distance of a neighbour that counts, local spacings.
-const NEAR: f64 = 4.0;
+pub(super) const NEAR: f64 = 4.0;
 /// Greatest distance from a plane of a point in it: local spacings, or standard deviations of the noise if that is more.
 const IN_PLANE: (f64, f64) = (0.15, 3.0);
 
 /// A plane fitted to the neighbourhood of a point.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Plane {
+pub(crate) struct Plane {
     /// Its centre, from the point.
     centre: [f32; 3],
     /// Unit normal without orientation.

@@ -16,9 +16,9 @@ const NOISY: f64 = 6.0;
 /// distance have about that spacing.
 const DENSE: f64 = 0.7;
 
-/// `(N)` representative of each point: itself, or the kept point beside it where a place is thinned. `gaps` is the distance of
-/// the rows at each point, zero outside of rows; `spacing` is the spacing at each point.
-pub(super) fn thin(points: &[[f64; 3]], gaps: &[f32], spacing: &[f32], mean: Resolution) -> Vec<u32> {
+/// `(N)` distance between kept points at each point; zero where nothing is thinned. `gaps` is the distance of the rows at each
+/// point, zero outside of rows; `spacing` is the spacing at each point.
+pub(super) fn apart(gaps: &[f32], spacing: &[f32], mean: Resolution) -> Vec<f64> {
     // No place is made coarser than the cloud as a whole, so that a noisy cloud stays as dense as it is.
     let dense = DENSE * (NOISY * mean.noise).min(mean.spacing);
     let apart = |i: usize| match gaps[i] {
@@ -26,7 +26,12 @@ pub(super) fn thin(points: &[[f64; 3]], gaps: &[f32], spacing: &[f32], mean: Res
         _ if f64::from(spacing[i]) < dense => dense,
         _ => 0.0,
     };
-    let apart: Vec<f64> = (0..points.len()).map(apart).collect();
+    (0..gaps.len()).map(apart).collect()
+}
+
+/// `(N)` representative of each point: itself, or the kept point beside it where a place is thinned. `apart` is the distance
+/// between kept points.
+pub(super) fn thin(points: &[[f64; 3]], apart: &[f64]) -> Vec<u32> {
     let mut stands: Vec<u32> = (0..points.len() as u32).collect();
     if apart.iter().all(|&d| d == 0.0) {
         return stands;
@@ -67,6 +72,14 @@ mod tests {
         );
         let stay = stands.iter().zip(0..).filter(|&(&s, i)| s == i).count();
         if stands.is_empty() { 1.0 } else { stay as f64 / stands.len() as f64 }
+    }
+
+    /// So this stage is not local: see `docs/scale.md`.
+    #[test]
+    fn which_points_of_a_row_stay_depends_on_its_first() {
+        let row: Vec<[f64; 3]> = (0..4).map(|k| [0.6 * f64::from(k), 0.0, 0.0]).collect();
+        assert_eq!(super::thin(&row, &[1.0; 4]), [0, 0, 2, 2]);
+        assert_eq!(super::thin(&row[1..], &[1.0; 3]), [0, 0, 2]);
     }
 
     #[test]

@@ -34,4 +34,5 @@ mod select;
 mod shared;
 mod step;
 mod table;
+mod tiles;
 mod triangles;

@@ -48,6 +48,13 @@ struct Buffers {
     section: CrossSection,
 }
 
+/// Steps along the neighbour graph over which the values of a point are made of those of others, where neighbourhoods are `hops`
+/// wide: the planes that are tried are those of neighbours, or a ring more decides (`consensus`); two bilateral passes follow (`normals`);
+/// a crease looks at the normals around it and its foot is aligned with those beside it (`align`).
+pub(super) fn steps(hops: usize) -> usize {
+    (hops + 1) + 2 * hops + 2 * hops.max(2)
+}
+
 /// Robust penalties of every point.
 pub fn penalties(
     points: &[[f64; 3]],

@@ -4,7 +4,7 @@ use crate::neighbors::{Neighbors, riemannian::Scratch};
 use crate::network::Strip;
 
 /// Distance in the neighbour graph up to which points are taken.
-const HOPS: usize = 4;
+pub(crate) const HOPS: usize = 4;
 
 /// The points up to [`HOPS`] from the sources of a strip, ascending.
 pub(in crate::recover) fn near(strip: &Strip, graph: &Neighbors, scratch: &mut Scratch) -> Vec<u32> {

@@ -1,0 +1,140 @@
+//! What the stage reads: which of its results for a part of a cloud are those of the whole cloud.
+//!
+//! Lists of nearest neighbours are read over nine steps at most: planes one, spacings two, support and gaps one more, crowds and the points deep
+//! in them two, the rounds in which clutter grows three. Searches beside them end at 4 and, in rows, 12 spacings. Two rules
+//! read more. A crowd is judged as a whole, so that its verdict comes from outside (`crowds`). And a place that is
+//! thinned keeps the first of its points in canonical order, which are first because earlier ones went: along a row that
+//! chain leads back to its beginning, however far.
+
+use super::islands::Links;
+use super::rows::{FARTHEST, in_rows};
+use super::support::NEAR;
+use super::{Judged, Local, PIECE};
+use crate::neighbors::{Index, Neighbors};
+use crate::reach::{Ground, Known};
+
+/// Rounds of medians behind a spacing, and rounds in which clutter grows.
+const ROUNDS: [usize; 2] = [super::scales::ROUNDS, super::clutter::ROUNDS];
+
+/// Which of the values of [`Local`] are known.
+pub(crate) struct LocalKnown {
+    spacing: Known,
+    /// Whether a point is clutter by itself, or in a crowd.
+    single: Known,
+    /// Whether a point is in a crowd, deep in it, and what it is linked to.
+    pub(crate) crowd: Known,
+    /// Distances between kept points.
+    pub(crate) apart: Known,
+}
+
+/// The spacings of [`spacings`](super::spacings): `lists` are those of nearest neighbours.
+pub(crate) fn of_spacings(nearest: &Neighbors, lists: &Known) -> Known {
+    lists.clone().steps(nearest, ROUNDS[0])
+}
+
+impl LocalKnown {
+    /// From the lists that are known.
+    pub(crate) fn new(ground: &Ground, nearest: &Neighbors, lists: &Known, local: &Local) -> LocalKnown {
+        let planes = lists.over(nearest);
+        let spacing = of_spacings(nearest, lists);
+        let mut gaps = planes.and(lists);
+        for i in in_rows(nearest, &local.planes).into_iter().map(|i| i as usize) {
+            gaps.0[i] &= spacing.0[i] && ground.holds(i, FARTHEST * f64::from(local.spacing[i]));
+        }
+        let gaps = gaps.over(nearest);
+        let near = |i: usize| NEAR * f64::from(local.spacing[i].max(local.raw[i]));
+        let support = Known::of(planes.0.len(), |i| planes.0[i] && spacing.0[i] && ground.holds(i, near(i)));
+        let crowd = support.over(nearest);
+        LocalKnown {
+            single: crowd.and(&gaps),
+            crowd: crowd.and(&spacing).over(nearest),
+            apart: gaps.and(&spacing),
+            spacing,
+        }
+    }
+
+    /// Whether a point is kept: neither clutter nor represented by another. `widest` is the greatest distance between kept points in
+    /// the whole cloud.
+    pub(crate) fn kept(
+        &self,
+        ground: &Ground,
+        nearest: &Neighbors,
+        local: &Local,
+        judged: &Judged,
+        widest: f64,
+    ) -> Known {
+        let drawn = self.single.clone().steps(nearest, ROUNDS[1]).and(&self.spacing);
+        let pieces = Pieces {
+            ground,
+            links: Links { points: ground.points, nearest, reach: &local.marks.reach, out: &judged.drawn },
+            index: Index::build(ground.points),
+            listed: drawn.over(nearest),
+        };
+        let settled = |i: usize| if judged.drawn[i] { drawn.0[i] } else { pieces.settled(i) };
+        let clutter = Known::of(judged.drawn.len(), settled);
+        let thinned = self.thinned(ground, &local.apart, widest);
+        Known::of(clutter.0.len(), |i| thinned.0[i] && clutter.0[i] && clutter.at(judged.stands[i]))
+    }
+
+    /// The representatives of points: in canonical order, as each depends on those before it.
+    fn thinned(&self, ground: &Ground, apart: &[f64], widest: f64) -> Known {
+        let mut known = vec![true; apart.len()];
+        if widest == 0.0 {
+            return Known(known);
+        }
+        let index = Index::build(ground.points);
+        let mut found = Vec::new();
+        for i in 0..apart.len() {
+            index.within(ground.points[i], widest, &mut found);
+            let before = found.iter().filter(|f| f.index < i as u32);
+            let acts = |j: usize, d: f64| apart[i] > 0.0 && apart[j] > 0.0 && d <= apart[j] * apart[j];
+            let sound = |j: usize, d: f64| self.apart.0[j] && (known[j] || !acts(j, d));
+            known[i] = self.apart.0[i]
+                && ground.holds(i, widest)
+                && before.map(|f| (f.index as usize, f.distance2)).all(|(j, d)| sound(j, d));
+        }
+        Known(known)
+    }
+}
+
+/// The pieces of surface between clutter.
+struct Pieces<'a> {
+    ground: &'a Ground<'a>,
+    links: Links<'a>,
+    index: Index,
+    /// Where clutter and links are known at a point and at all that it lists.
+    listed: Known,
+}
+
+impl Pieces<'_> {
+    /// Whether it is known if the piece of point `i` is large enough: it is when a walk along known links has met enough
+    /// points, or when they all are known and it ends.
+    fn settled(&self, i: usize) -> bool {
+        let (mut seen, mut found) = (vec![i], Vec::new());
+        for both in [false, true] {
+            let mut next = 0;
+            while next < seen.len() && seen.len() < PIECE {
+                let from = seen[next];
+                next += 1;
+                if !self.listed.0[from] || both && !self.around(from, &mut found) {
+                    return false;
+                }
+                let back = found.drain(..).filter(|&x| self.links.of(x).any(|j| j == from));
+                for j in self.links.of(from).chain(back) {
+                    if !seen.contains(&j) {
+                        seen.push(j);
+                    }
+                }
+            }
+        }
+        true
+    }
+
+    /// Finds all points that can list point `i` and be linked to it; false if one is missing or not known.
+    fn around(&self, i: usize, found: &mut Vec<usize>) -> bool {
+        let reach = f64::from(self.links.reach[i]);
+        self.index.around(self.ground.points[i], reach * (1.0 + 1e-9), |f| found.push(f.index as usize));
+        found.retain(|&j| !self.links.out[j] || !self.listed.0[j]);
+        self.ground.holds(i, reach) && found.iter().all(|&j| self.listed.0[j])
+    }
+}
