@@ -4,25 +4,25 @@
 mod clutter;
 mod findings;
 mod islands;
+mod local;
 pub(crate) mod reach;
 mod rows;
 mod scales;
 mod support;
 mod thin;
 
+pub(crate) use clutter::{Crowd, links};
 pub use findings::Findings;
+pub(crate) use islands::PIECE;
+pub(crate) use local::{Judged, Local};
 pub use scales::{Scales, evened, spacings};
 
 use crate::neighbors::{Neighbors, all_nearest, riemannian};
 use crate::params::NeighborParams;
 use crate::resolution::Resolution;
-pub(crate) use clutter::{Crowd, Marks, links};
-use support::Plane;
 
 /// Fewest points of a cloud in which surface and clutter can be told apart.
 pub(crate) const FEWEST: usize = 100;
-/// Fewest points of a piece of surface.
-pub(crate) const PIECE: usize = 24;
 /// The representative of a point on no surface.
 pub const CLUTTER: u32 = u32::MAX;
 
@@ -68,47 +68,6 @@ pub fn sort(points: &[[f64; 3]], nearest: &Neighbors, mean: Resolution) -> Sorte
         stands.clear();
     }
     Sorted { stands, findings }
-}
-
-/// What is known of every point before crowds are judged as wholes.
-pub(crate) struct Local {
-    /// Mean distance of the six nearest, and the same smoothed.
-    raw: Vec<f32>,
-    spacing: Vec<f32>,
-    planes: Vec<Plane>,
-    gaps: Vec<f32>,
-    /// Distance between kept points; zero where nothing is thinned.
-    pub(crate) apart: Vec<f64>,
-    pub(crate) marks: Marks,
-}
-
-impl Local {
-    pub(crate) fn new(points: &[[f64; 3]], nearest: &Neighbors, mean: Resolution) -> Local {
-        let raw = scales::raw(points, nearest);
-        let spacing = scales::smoothed(raw.clone(), nearest);
-        let planes = support::planes(points, nearest);
-        let gaps = rows::gaps(points, nearest, &planes, &spacing);
-        let apart = thin::apart(&gaps, &spacing, mean);
-        let marks = Marks::new(points, nearest, &planes, (&raw, &spacing, &gaps), mean);
-        Local { raw, spacing, planes, gaps, apart, marks }
-    }
-
-    /// Judges the points by the crowds that are clutter.
-    pub(crate) fn judged(&self, points: &[[f64; 3]], nearest: &Neighbors, crowds: &[bool]) -> Judged {
-        let drawn = clutter::grown(nearest, &self.marks, crowds);
-        let small = islands::islands(points, nearest, &self.marks.reach, &drawn);
-        let clutter = drawn.iter().zip(small).map(|(drawn, small)| *drawn || small).collect();
-        Judged { drawn, clutter, stands: thin::thin(points, &self.apart) }
-    }
-}
-
-/// What becomes of every point.
-pub(crate) struct Judged {
-    /// Whether it is clutter, apart from islands in it; and with them.
-    drawn: Vec<bool>,
-    pub(crate) clutter: Vec<bool>,
-    /// The representative, clutter not yet counted.
-    pub(crate) stands: Vec<u32>,
 }
 
 /// `(N)` whether each point lies on no surface; empty if all do, or none does. `points` are distinct, in canonical order.

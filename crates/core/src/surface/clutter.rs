@@ -7,6 +7,7 @@
 //! such as a stray return or a point in the thread of a veil. Finally points among clutter join it, and so do islands in it
 //! that are too small to be surface.
 
+use super::islands::PIECE;
 use super::support::{Plane, supported};
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::distance;
@@ -37,7 +38,7 @@ const DRAWN: (f64, f64) = (0.2, 0.5);
 /// Rounds in which points join clutter; it grows by one neighbour in each.
 pub(super) const ROUNDS: usize = 3;
 /// Fewest points of a piece of surface.
-const ISLAND: u32 = super::PIECE as u32;
+const ISLAND: u32 = PIECE as u32;
 
 /// What is known of every point before crowds are judged as wholes.
 pub(crate) struct Marks {

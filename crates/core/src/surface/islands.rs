@@ -1,10 +1,12 @@
 //! Islands: pieces of the cloud that are too small for a surface.
 
-use super::PIECE;
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::distance2;
 use crate::neighbors::Neighbors;
 use crate::parallel;
+
+/// Fewest points of a piece of surface.
+pub(crate) const PIECE: usize = 24;
 
 /// `(N)` whether each point lies in a piece of fewer than 24 points. Points that are `out` belong to no piece; two others belong
 /// to the same piece if one lists the other and they lie within the lesser of their reaches.

@@ -6,10 +6,10 @@
 //! thinned keeps the first of its points in canonical order, which are first because earlier ones went: along a row that
 //! chain leads back to its beginning, however far.
 
-use super::islands::Links;
+use super::islands::{Links, PIECE};
+use super::local::{Judged, Local};
 use super::rows::{FARTHEST, in_rows};
 use super::support::NEAR;
-use super::{Judged, Local, PIECE};
 use crate::neighbors::{Index, Neighbors};
 use crate::reach::{Ground, Known};
 

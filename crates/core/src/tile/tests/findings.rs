@@ -9,7 +9,7 @@ fn sums_around_a_point_run_in_the_order_of_blocks() {
     let mut points: Vec<[f64; 3]> = (0..40).map(near).collect();
     let order = |points: &[[f64; 3]]| {
         let mut order = Vec::new();
-        Index::build(points).around([3.5, 2.0, 0.0], 2.0, |f| order.push(f.index));
+        Index::build(points).around([3.5, 3.0, 0.0], 2.0, |f| order.push(f.index));
         order
     };
     let few = order(&points);
