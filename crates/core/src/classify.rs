@@ -17,7 +17,17 @@ const ROUNDING: f64 = 1e-9;
 /// `(N)` class of every point: near a node, near a strip, or neither. Network and points in the local frame, sources as canonical
 /// indices.
 pub fn classes(points: &[[f64; 3]], network: &Network, scales: Scales) -> Vec<Class> {
-    let segments: Vec<Segment> = network.strips.iter().flat_map(|s| segments(s, scales)).collect();
+    classes_of(points, scales, network, scales)
+}
+
+/// As [`classes`], of points with their own `scales`, where `sources` are those of the points that the sources of the network name.
+pub(crate) fn classes_of(
+    points: &[[f64; 3]],
+    scales: Scales,
+    network: &Network,
+    sources: Scales,
+) -> Vec<Class> {
+    let segments: Vec<Segment> = network.strips.iter().flat_map(|s| segments(s, sources)).collect();
     let boxes = Boxes::new(segments.iter().map(|s| Extent::of([s.from, s.to])));
     let bound = |i: u32| (ON_LINE * scales.cautious(i)).powi(2);
     let mut classes = parallel::map(points.len(), parallel::QUICK, |i| {
@@ -26,7 +36,7 @@ pub fn classes(points: &[[f64; 3]], network: &Network, scales: Scales) -> Vec<Cl
     let index = Index::build(points);
     let mut found = Vec::new();
     for node in &network.nodes {
-        index.within(node.position, ON_LINE * scales.cautious(node.source), &mut found);
+        index.within(node.position, ON_LINE * sources.cautious(node.source), &mut found);
         for f in found.iter().filter(|f| f.distance2 <= bound(f.index)) {
             classes[f.index as usize] = Class::Corner;
         }

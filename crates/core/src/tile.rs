@@ -19,6 +19,7 @@
 mod crowds;
 mod extract;
 mod found;
+mod guests;
 mod histogram;
 mod part;
 mod plan;

@@ -50,7 +50,7 @@ pub(crate) struct Marks {
     pub(crate) crowd: Vec<bool>,
     pub(crate) deep: Vec<bool>,
     /// Greatest length of a link from each point.
-    pub(super) reach: Vec<f32>,
+    pub(crate) reach: Vec<f32>,
 }
 
 impl Marks {

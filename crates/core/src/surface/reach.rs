@@ -9,10 +9,13 @@
 use super::islands::{Links, PIECE};
 use super::local::{Judged, Local};
 use super::rows::{FARTHEST, in_rows};
-use super::support::NEAR;
+use super::support::{COUNTED, NEAR};
+use crate::math::vec3::distance2;
 use crate::neighbors::{Index, Neighbors};
 use crate::reach::{Ground, Known};
 
+/// Share by which a search is wider than what is compared with its results.
+const ROUNDING: f64 = 1e-9;
 /// Rounds of medians behind a spacing, and rounds in which clutter grows.
 const ROUNDS: [usize; 2] = [super::scales::ROUNDS, super::clutter::ROUNDS];
 
@@ -25,6 +28,16 @@ pub(crate) struct LocalKnown {
     pub(crate) crowd: Known,
     /// Distances between kept points.
     pub(crate) apart: Known,
+}
+
+/// What the stage reads of the whole cloud at once.
+#[derive(Clone, Debug)]
+pub(crate) struct Whole {
+    /// The greatest distance between kept points where places are thinned.
+    pub(crate) widest: f64,
+    /// The points of which links can be longer than `long`, and how long: few, and far from all others.
+    pub(crate) far: Vec<([f64; 3], f64)>,
+    pub(crate) long: f64,
 }
 
 /// The spacings of [`spacings`](super::spacings): `lists` are those of nearest neighbours.
@@ -43,7 +56,14 @@ impl LocalKnown {
         }
         let gaps = gaps.over(nearest);
         let near = |i: usize| NEAR * f64::from(local.spacing[i].max(local.raw[i]));
-        let support = Known::of(planes.0.len(), |i| planes.0[i] && spacing.0[i] && ground.holds(i, near(i)));
+        let index = Index::build(ground.points);
+        let counted = |i: usize| {
+            let mut found = Vec::new();
+            index.nearest(ground.points[i], COUNTED + 1, &mut found);
+            found.get(COUNTED).map_or(f64::INFINITY, |f| f.distance2.sqrt())
+        };
+        let seen = |i: usize| ground.holds(i, near(i)) || ground.holds(i, counted(i));
+        let support = Known::of(planes.0.len(), |i| planes.0[i] && spacing.0[i] && seen(i));
         let crowd = support.over(nearest);
         LocalKnown {
             single: crowd.and(&gaps),
@@ -53,15 +73,14 @@ impl LocalKnown {
         }
     }
 
-    /// Whether a point is kept: neither clutter nor represented by another. `widest` is the greatest distance between kept points in
-    /// the whole cloud.
+    /// Whether a point is kept: neither clutter nor represented by another.
     pub(crate) fn kept(
         &self,
         ground: &Ground,
         nearest: &Neighbors,
         local: &Local,
         judged: &Judged,
-        widest: f64,
+        whole: &Whole,
     ) -> Known {
         let drawn = self.single.clone().steps(nearest, ROUNDS[1]).and(&self.spacing);
         let pieces = Pieces {
@@ -69,10 +88,11 @@ impl LocalKnown {
             links: Links { points: ground.points, nearest, reach: &local.marks.reach, out: &judged.drawn },
             index: Index::build(ground.points),
             listed: drawn.over(nearest),
+            whole,
         };
         let settled = |i: usize| if judged.drawn[i] { drawn.0[i] } else { pieces.settled(i) };
         let clutter = Known::of(judged.drawn.len(), settled);
-        let thinned = self.thinned(ground, &local.apart, widest);
+        let thinned = self.thinned(ground, &local.apart, whole.widest);
         Known::of(clutter.0.len(), |i| thinned.0[i] && clutter.0[i] && clutter.at(judged.stands[i]))
     }
 
@@ -104,6 +124,7 @@ struct Pieces<'a> {
     index: Index,
     /// Where clutter and links are known at a point and at all that it lists.
     listed: Known,
+    whole: &'a Whole,
 }
 
 impl Pieces<'_> {
@@ -130,11 +151,24 @@ impl Pieces<'_> {
         true
     }
 
-    /// Finds all points that can list point `i` and be linked to it; false if one is missing or not known.
+    /// Finds all points that can list point `i` and be linked to it; false if one is missing or not known. No link is longer than what
+    /// either of its ends allows.
     fn around(&self, i: usize, found: &mut Vec<usize>) -> bool {
-        let reach = f64::from(self.links.reach[i]);
-        self.index.around(self.ground.points[i], reach * (1.0 + 1e-9), |f| found.push(f.index as usize));
+        let Whole { far, long, .. } = self.whole;
+        let (own, reach) = (self.ground.points[i], f64::from(self.links.reach[i]));
+        let near = reach.min(*long);
+        self.index.around(own, near * (1.0 + ROUNDING), |f| found.push(f.index as usize));
+        let mut sound = self.ground.holds(i, near);
+        let mut at = Vec::new();
+        for (place, far) in far.iter().filter(|_| reach > near) {
+            let d = distance2(own, *place).sqrt();
+            if d > near && d <= reach.min(*far) * (1.0 + ROUNDING) {
+                self.index.nearest(*place, 1, &mut at);
+                sound &= at.first().is_some_and(|f| f.distance2 == 0.0);
+                found.extend(at.iter().map(|f| f.index as usize));
+            }
+        }
         found.retain(|&j| !self.links.out[j] || !self.listed.0[j]);
-        self.ground.holds(i, reach) && found.iter().all(|&j| self.listed.0[j])
+        sound && found.iter().all(|&j| self.listed.0[j])
     }
 }

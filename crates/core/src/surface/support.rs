@@ -15,7 +15,7 @@ use crate::resolution::Resolution;
 /// Neighbours to which a plane is fitted, and whose planes are tried.
 const FITTED: usize = 8;
 /// Neighbours that are counted.
-const COUNTED: usize = 24;
+pub(super) const COUNTED: usize = 24;
 /// Greatest distance of a neighbour that counts, local spacings.
 pub(super) const NEAR: f64 = 4.0;
 /// Greatest distance from a plane of a point in it: local spacings, or standard deviations of the noise if that is more.

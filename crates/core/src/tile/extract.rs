@@ -3,14 +3,17 @@
 use super::found::{Found, joined};
 use super::plan::Plan;
 use super::run::Run;
+use crate::classify::classes_of;
 use crate::error::Error;
 use crate::extract::placed;
+use crate::measure::Class;
 use crate::method;
 use crate::network::Network;
 use crate::params::Params;
 use crate::prepare::SURFACE_POINTS;
 use crate::relation::Related;
 use crate::resolution::Resolution;
+use crate::surface::Scales;
 
 /// The result of [`extract`].
 #[derive(Clone, Debug)]
@@ -25,6 +28,24 @@ pub struct Tiled {
     pub points: usize,
     /// `(T)` most points that each tile of the plan held at a time, its margin included.
     pub held: Vec<usize>,
+    lines: Lines,
+}
+
+/// The network in the local frame with the scales of its sources.
+#[derive(Clone, Debug)]
+struct Lines {
+    network: Network,
+    mean: Resolution,
+    spacing: Vec<f32>,
+}
+
+impl Tiled {
+    /// `(M)` class of each of a tile's own points on surfaces, from the lines beside it.
+    pub fn classes(&self, found: &Found) -> Vec<Class> {
+        let Lines { network, mean, spacing } = &self.lines;
+        let own = Scales::new(*mean, &found.spacing);
+        classes_of(&found.position, own, network, Scales::new(*mean, spacing))
+    }
 }
 
 /// Extracts the feature network of `(N, 3)` positions, world frame, tile by tile: bit by bit that of
@@ -55,11 +76,13 @@ pub fn extract(
     let (pattern, _) = method::link(&cloud, &mut measure, params);
     let mut network = method::recovered(&cloud, &measure, &pattern, params);
     let related = method::related(&cloud, &mut network, params);
+    let spacing = (0..cloud.positions.len()).filter_map(|i| cloud.spacing_at(i)).collect();
+    let lines = Lines { network: network.clone(), mean: resolution, spacing };
     let (network, related, _) = placed(network, related, &run.frame, &cloud.source);
     let world = |length: f64| run.frame.length_to_world(length);
     let Resolution { spacing, noise } = resolution;
     let resolution = Resolution { spacing: world(spacing), noise: world(noise) };
-    Ok(Tiled { network, related, resolution, points: count, held: run.held })
+    Ok(Tiled { network, related, resolution, points: count, held: run.held, lines })
 }
 
 fn enough(read: usize, distinct: usize) -> Result<(), Error> {

@@ -16,6 +16,9 @@ const AROUND: usize = crate::recover::FACE_HOPS;
 pub struct Found {
     /// `(M)` own points on surfaces, in canonical order, as indices of the input.
     pub source: Vec<u32>,
+    /// `(M, 3)` their positions in the local frame of the whole cloud, and the spacing at each; empty if the mean holds everywhere.
+    pub(super) position: Vec<[f64; 3]>,
+    pub(super) spacing: Vec<f32>,
     /// `(M)` sampling density, evidence of a feature, and normal of each, as in [`Measure`](crate::Measure).
     pub density: Vec<f32>,
     /// See `density`.
@@ -51,6 +54,8 @@ impl Found {
         };
         Found {
             source: own().map(|i| cloud.source[i]).collect(),
+            position: own().map(|i| cloud.positions[i]).collect(),
+            spacing: own().filter_map(|i| cloud.spacing_at(i)).collect(),
             density: own().map(|i| measure.density[i]).collect(),
             score: own().map(|i| measure.score[i]).collect(),
             normal: own().map(|i| measure.normal[i]).collect(),

@@ -1,5 +1,6 @@
-//! The points of one tile: those in its core, which are its own, and those in a margin around it.
+//! The points of one tile: those in its core, which are its own, those in a margin around it, and guests.
 
+use super::guests::Guests;
 use super::plan::{Plan, Tile};
 use crate::frame::{Frame, Localised, finite};
 
@@ -18,15 +19,22 @@ pub(super) struct Part {
 }
 
 impl Part {
-    /// Gathers the points within `margin` of a tile's core on every axis, local frame. `world` are the points of the input.
-    pub(super) fn gather(plan: &Plan, tile: &Tile, frame: Frame, margin: f64, world: &[[f64; 3]]) -> Part {
+    /// Gathers the points within `margin` of a tile's core on every axis, local frame, and of its guests. `world` are the points of the
+    /// input.
+    pub(super) fn gather(
+        plan: &Plan,
+        tile: &Tile,
+        frame: Frame,
+        (margin, guests): (f64, &Guests),
+        world: &[[f64; 3]],
+    ) -> Part {
         let to_local = |v: [f64; 3]| v.map(|x| x / frame.scale);
         let [min, max] = tile.core.map(to_local);
         let [low, high] = [min.map(|x| x - margin), max.map(|x| x + margin)];
         let (mut some, mut numbers) = (Vec::new(), Vec::new());
         for (&p, i) in world.iter().zip(0..).filter(|(p, _)| finite(p)) {
             let local = to_local(plan.grid.relative(p));
-            if (0..3).all(|a| low[a] <= local[a] && local[a] <= high[a]) {
+            if (0..3).all(|a| low[a] <= local[a] && local[a] <= high[a]) || guests.hold(local, margin) {
                 some.push(p);
                 numbers.push(i);
             }
@@ -40,7 +48,7 @@ impl Part {
                 let above = if high[a] >= extent[a] { f64::INFINITY } else { high[a] - p[a] };
                 below.min(above)
             };
-            (0..3).map(side).fold(f64::INFINITY, f64::min)
+            (0..3).map(side).fold(f64::INFINITY, f64::min).max(guests.room(*p, margin))
         };
         let owned = |p: &[f64; 3]| (0..3).all(|a| min[a] <= p[a] && p[a] < max[a]);
         Part {

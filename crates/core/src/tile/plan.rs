@@ -1,11 +1,14 @@
 //! The plan: which part of space each tile owns.
 //!
-//! The box of all occupied cells of a histogram is cut across its longest side where that halves the points, and each part again until
-//! it has few enough (J. L. Bentley, "Multidimensional binary search trees used for associative searching", CACM 18, 1975). Cuts
+//! The occupied cells of a histogram are cut across the axis along which most of the points spread farthest, where that halves the
+//! points, and each part again until it has few enough (J. L. Bentley, "Multidimensional binary search trees used for associative searching", CACM 18, 1975). Cuts
 //! run between cells, so that every cell, which is a run of the canonical order, has one owner.
 
 use super::histogram::Histogram;
 use crate::frame::{Bounds, Grid, cell};
+
+/// Shares of the points that lie below and above most of them.
+const TAILS: [f64; 2] = [0.05, 0.95];
 
 /// A part of space and the number of points in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,13 +99,28 @@ fn split(cells: &mut [Cell], most: u64, share: f64, take: &mut dyn FnMut(&[Cell]
         }
         return;
     }
-    let side = |a: usize| max[a] - min[a];
-    let axis = (1..3).fold(0, |best, a| if side(a) > side(best) { a } else { best });
+    let width = [0, 1, 2].map(|a| (spread(cells, a), max[a] - min[a]));
+    let axis = (1..3).fold(0, |best, a| if width[a] > width[best] { a } else { best });
     cells.sort_unstable_by_key(|c| (c.at[axis], c.at));
     let place = place(cells, axis, (share * count as f64) as u64);
     let (low, high) = cells.split_at_mut(place);
     split(low, most, share, take);
     split(high, most, share, take);
+}
+
+/// How far most of the points spread along an axis, in cells: strays would make long thin tiles.
+fn spread(cells: &[Cell], axis: usize) -> u32 {
+    let mut along: Vec<(u32, u64)> = cells.iter().map(|c| (c.at[axis], c.count)).collect();
+    along.sort_unstable();
+    let count: u64 = along.iter().map(|c| c.1).sum();
+    let [low, high] = TAILS.map(|share| {
+        let (mut below, wanted) = (0, (share * count as f64) as u64);
+        along.iter().find(|c| {
+            below += c.1;
+            below > wanted
+        })
+    });
+    high.zip(low).map_or(0, |(high, low)| high.0 - low.0)
 }
 
 /// Where to cut sorted cells between two of different coordinates, so that about `wanted` points lie below; the first of equals.

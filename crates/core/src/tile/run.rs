@@ -2,24 +2,27 @@
 
 use super::crowds::{clutter, members};
 use super::found::Found;
+use super::guests::Guests;
 use super::part::Part;
 use super::plan::{Plan, Tile};
 use super::set::Set;
 use crate::error::Error;
-use crate::frame::{Frame, LEVELS, Levels};
+use crate::frame::{Frame, LEVELS, Levels, finite};
 use crate::method;
 use crate::neighbors::riemannian::Scratch;
 use crate::params::Params;
 use crate::prepare::{Prepared, cleaned, given, scaled};
 use crate::reach::Known;
 use crate::resolution::{PlaneFit, Resolution, Sampled, steps, wide_fit};
-use crate::surface::reach::{LocalKnown, of_spacings};
+use crate::surface::reach::{LocalKnown, Whole, of_spacings};
 use crate::surface::{self, Local, evened, leave_out, spacings};
 
 /// Margin with which each tile begins, spacings: what the first stages read on even surfaces.
 const MARGIN: f64 = 24.0;
 /// Factor by which the margin of a tile grows where something at one of its points is not known.
 const WIDER: f64 = 1.5;
+/// Most lonely points of a tile that have guests; for more the margin grows.
+const MOST_LONELY: usize = 16;
 
 /// A cloud that is read tile by tile.
 pub(super) struct Run<'a> {
@@ -29,6 +32,8 @@ pub(super) struct Run<'a> {
     pub(super) frame: Frame,
     /// Present margin of each tile, local frame.
     margins: Vec<f64>,
+    /// Guests of each tile, once it has asked for them.
+    guests: Vec<Option<Guests>>,
     /// Most points that each tile held at a time.
     pub(super) held: Vec<usize>,
 }
@@ -39,8 +44,7 @@ pub(super) struct Kept {
     mean: Resolution,
     /// Members of crowds that are clutter, indices of the input, ascending.
     clutter: Vec<u32>,
-    /// Greatest distance between kept points where places are thinned.
-    widest: f64,
+    whole: Whole,
     /// Points left in each cell of the plan.
     counts: Vec<usize>,
     /// Whether any point was left out; and whether there is no surface at all.
@@ -53,7 +57,8 @@ impl<'a> Run<'a> {
     pub(super) fn new(world: &'a [[f64; 3]], params: &'a Params, plan: &'a Plan) -> (Run<'a>, Vec<usize>) {
         let tiles = plan.tiles().len();
         let frame = Frame { offset: plan.corner(), scale: 1.0 };
-        let mut run = Run { world, params, plan, frame, margins: vec![0.0; tiles], held: vec![0; tiles] };
+        let (margins, guests, held) = (vec![MARGIN; tiles], vec![None; tiles], vec![0; tiles]);
+        let mut run = Run { world, params, plan, frame, margins, guests, held };
         let (mut levels, mut counts) = (plan.levels(), vec![0; plan.codes.len()]);
         for tile in plan.tiles() {
             let own: Vec<[f64; 3]> =
@@ -64,21 +69,28 @@ impl<'a> Run<'a> {
             (0..relative.len()).filter(first).for_each(|i| counts[plan.cell(relative[i])] += 1);
         }
         run.frame = Frame::of_levels(&plan.grid, &levels);
-        run.margins = vec![MARGIN; tiles];
         (run, counts)
     }
 
     /// Runs a pass over every tile, again with a wider margin until all that it gives is known.
     fn each<T>(&mut self, pass: impl Fn(&Part) -> (T, bool)) -> Vec<T> {
-        let (plan, frame, world) = (self.plan, self.frame, self.world);
+        let (plan, frame, world, k) = (self.plan, self.frame, self.world, self.params.neighbors.k);
         let mut one = |t: usize, tile: &Tile| loop {
-            let part = Part::gather(plan, tile, frame, self.margins[t], world);
+            let guests = self.guests[t].clone().unwrap_or_default();
+            let part = Part::gather(plan, tile, frame, (self.margins[t], &guests), world);
             self.held[t] = self.held[t].max(part.positions.len());
             let (result, known) = pass(&part);
             if known || part.whole {
                 break result;
             }
-            self.margins[t] *= WIDER;
+            let lonely = if self.guests[t].is_none() { Set::all(&part, k).lonely() } else { Vec::new() };
+            if (1..=MOST_LONELY).contains(&lonely.len()) {
+                let all = world.iter().filter(|p| finite(p));
+                let local = all.map(|&p| plan.grid.relative(p).map(|x| x / frame.scale));
+                self.guests[t] = Some(Guests::of(&lonely, local));
+            } else {
+                self.margins[t] *= WIDER;
+            }
         };
         plan.tiles().iter().enumerate().map(|(t, tile)| one(t, tile)).collect()
     }
@@ -127,7 +139,8 @@ impl<'a> Run<'a> {
     /// Finds the points that are kept; `counts` is the number of distinct points in each cell.
     pub(super) fn kept(&mut self, mean: Resolution, counts: Vec<usize>) -> Kept {
         let count: usize = counts.iter().sum();
-        let mut kept = Kept { mean, clutter: Vec::new(), widest: 0.0, counts, any: false, none: false };
+        let whole = Whole { widest: 0.0, far: Vec::new(), long: MARGIN };
+        let mut kept = Kept { mean, clutter: Vec::new(), whole, counts, any: false, none: false };
         if !cleaned(self.params) || count < surface::FEWEST {
             return kept;
         }
@@ -138,9 +151,12 @@ impl<'a> Run<'a> {
             let known = LocalKnown::new(&set.ground(), &set.nearest, &set.lists, &local);
             let (members, certain) = members(&set, &local, &known);
             let widest = set.own().map(|i| local.apart[i]).fold(0.0, f64::max);
-            ((members, widest), certain && set.is_known(&known.apart))
+            let reach = set.own().map(|i| (set.positions[i], f64::from(local.marks.reach[i])));
+            let far: Vec<_> = reach.filter(|(_, reach)| *reach > MARGIN).collect();
+            ((members, widest, far), certain && set.is_known(&known.apart))
         });
-        kept.widest = crowds.iter().map(|c| c.1).fold(0.0, f64::max);
+        kept.whole.widest = crowds.iter().map(|c| c.1).fold(0.0, f64::max);
+        kept.whole.far = crowds.iter().flat_map(|c| &c.2).copied().collect();
         kept.clutter = clutter(crowds.into_iter().flat_map(|c| c.0).collect());
         let tallies = self.each(|part| {
             let set = all(part);
@@ -218,7 +234,7 @@ impl Kept {
         let crowd = |i: usize| local.marks.crowd[i] && self.clutter.binary_search(&set.source[i]).is_ok();
         let crowds: Vec<bool> = (0..points.len()).map(crowd).collect();
         let judged = local.judged(points, nearest, &crowds);
-        let known = known.kept(&set.ground(), nearest, &local, &judged, self.widest);
+        let known = known.kept(&set.ground(), nearest, &local, &judged, &self.whole);
         let (mut stands, clutter) = (judged.stands, judged.clutter);
         leave_out(&mut stands, &clutter);
         Judgement { stands, clutter, known }

@@ -60,6 +60,11 @@ impl Set {
         Set { positions, source, owned, room, nearest, lists, k: self.k }
     }
 
+    /// Positions of own points whose neighbours are farther than the room around them.
+    pub(super) fn lonely(&self) -> Vec<[f64; 3]> {
+        self.own().filter(|&i| !self.lists.0[i]).map(|i| self.positions[i]).collect()
+    }
+
     /// The neighbour graph, and where its rows are those of the whole cloud.
     pub(super) fn graph(&self) -> (Neighbors, Known) {
         let graph = riemannian::graph(&self.positions, &self.nearest);

@@ -42,7 +42,9 @@ fn plan(points: &[[f64; 3]], most: u64, share: f64) -> Plan {
 fn same(points: &[[f64; 3]], params: &Params, plan: &Plan, whole: &Extraction) -> Tiled {
     let mut seen = 0;
     let all = &whole.measure;
+    let mut tiles = Vec::new();
     let tiled = extract(points, params, plan, |found| {
+        tiles.push(found.clone());
         seen += found.source.len();
         for (k, &i) in found.source.iter().enumerate() {
             let c = whole.canonical[i as usize] as usize;
@@ -60,6 +62,10 @@ fn same(points: &[[f64; 3]], params: &Params, plan: &Plan, whole: &Extraction) -
     })
     .unwrap();
     assert_eq!((seen, tiled.points), (whole.source.len(), whole.source.len()));
+    for found in &tiles {
+        let of = |i: &u32| whole.class[whole.canonical[*i as usize] as usize];
+        assert!(tiled.classes(found).into_iter().eq(found.source.iter().map(of)));
+    }
     // The shortest decimals that give the same f64 back.
     assert_eq!(format!("{:?}", tiled.network), format!("{:?}", whole.network));
     assert_eq!(format!("{:?}", tiled.related), format!("{:?}", whole.related));
@@ -106,6 +112,16 @@ fn crowds_strays_duplicates_and_lost_points_across_seams_are_those_of_the_whole_
     let clutter = whole.classes()[steps..].iter().filter(|&&c| c == Class::Clutter).count();
     assert!(clutter > 2000, "{clutter}");
     let tiled = same(&points, &penalty(), &plan(&points, 1500, 0.5), &whole);
+    assert!(tiled.held.iter().all(|&held| held < points.len() * 4 / 5), "{:?}", tiled.held);
+}
+
+#[test]
+fn strays_far_out_do_not_widen_a_tile_to_the_whole_cloud() {
+    let mut points = stairs(14, 0.6);
+    // One opposite a straight edge, so that a plane holds it with its neighbours; two near each other.
+    points.extend([[300.0, 2e5, 0.0], [120.0, 8.0, 900.0], [-4000.0, 0.0, 90.0], [-4000.0, 0.5, 91.0]]);
+    let whole = crate::extract(&points, &penalty()).unwrap();
+    let tiled = same(&points, &penalty(), &plan(&points, 2500, 0.5), &whole);
     assert!(tiled.held.iter().all(|&held| held < points.len() * 4 / 5), "{:?}", tiled.held);
 }
 

@@ -8,8 +8,9 @@ use crate::prepare::Prepared;
 use crate::reach::Known;
 use crate::resolution::Resolution;
 use crate::shapes::Rng;
-use crate::surface::reach::{LocalKnown, of_spacings};
+use crate::surface::reach::{LocalKnown, Whole, of_spacings};
 use crate::surface::{Local, evened, spacings};
+use crate::tile::guests::Guests;
 use crate::tile::part::Part;
 use crate::tile::set::Set;
 
@@ -18,7 +19,8 @@ fn part_and_whole(points: &[[f64; 3]], margin: f64) -> [Set; 2] {
     let plan = plan(points, 2500, 0.5);
     let frame = Frame::of_points(points).unwrap().frame;
     let middle = &plan.tiles()[plan.tiles().len() / 2];
-    let sets = [margin, 1e9].map(|m| Set::all(&Part::gather(&plan, middle, frame, m, points), 12));
+    let sets = [margin, 1e9]
+        .map(|m| Set::all(&Part::gather(&plan, middle, frame, (m, &Guests::default()), points), 12));
     assert!(sets[0].positions.len() < sets[1].positions.len() * 3 / 4);
     sets
 }
@@ -76,7 +78,8 @@ fn spacings_crowds_and_kept_points_are_known_where_what_they_read_is() {
     assert!(agree(&sets, &known.crowd, marks) > 0);
     // Crowds are judged elsewhere; here all of them are clutter.
     let judged = [0, 1].map(|s| local[s].judged(&sets[s].positions, &sets[s].nearest, &local[s].marks.crowd));
-    let kept = known.kept(&ground, &sets[0].nearest, &local[0], &judged[0], 0.0);
+    let whole = Whole { widest: 0.0, far: Vec::new(), long: f64::INFINITY };
+    let kept = known.kept(&ground, &sets[0].nearest, &local[0], &judged[0], &whole);
     agree(&sets, &kept, |s, i| judged[s].clutter[i]);
 }
 
