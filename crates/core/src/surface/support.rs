@@ -6,8 +6,8 @@
 
 use crate::math::eigen3::Symmetric3;
 use crate::math::least_axis::least_axis;
-use crate::math::tensor::correlation;
-use crate::math::vec3::{dot, sub};
+use crate::math::tensor::{centred, correlation, scatter};
+use crate::math::vec3::{add_scaled, dot, sub};
 use crate::neighbors::{Found, Index, Neighbors};
 use crate::parallel;
 use crate::resolution::Resolution;
@@ -94,8 +94,21 @@ pub(super) fn supported(
         }
         index.nearest(points[i], COUNTED + 1, found);
         gather(&mut found.iter().map(|f| f.index).filter(|&j| j as usize != i))
+            || near.len() >= enough && lies_in_layer(near, tolerance, enough)
     };
     parallel::map_with(points.len(), parallel::QUICK, own)
+}
+
+/// Whether the point at the origin and at least `enough` of the places `near` lie in one layer of a sheet: in the plane through
+/// the point along all of them.
+///
+/// Where both sides of a thin sheet were scanned, the few points of the planes above come from both and lean the planes; the
+/// sheet as a whole gives its direction.
+fn lies_in_layer(near: &[[f64; 3]], tolerance: f64, enough: usize) -> bool {
+    let sum = near.iter().fold([0.0; 3], |sum, &d| add_scaled(sum, d, 1.0));
+    let (_, tensor) = centred(sum, scatter(near.iter().copied()), (near.len() + 1) as f64);
+    let (_, normal) = least_axis(&tensor);
+    near.iter().filter(|&&d| dot(normal, d).abs() <= tolerance).nth(enough - 1).is_some()
 }
 
 /// Whether one of the planes around point `i` holds it and at least `enough` of the places `near`, relative to it.
