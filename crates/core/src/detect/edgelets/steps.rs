@@ -18,6 +18,8 @@ const HEIGHT: (f64, f64, f64) = (0.5, 3.0, 2.5);
 const OVERLAP: f64 = 0.5;
 const GAP: (f64, f64) = (0.7, 0.5);
 const NOISY: f64 = 1.0;
+/// Greatest distance of the farther end from the seed, in spacings; the nearer one is near the centre.
+const FAR: f64 = 3.5;
 /// Least length of a piece, in spacings.
 const LENGTH: f64 = 1.2;
 /// Reach before and beyond the end of a piece within which its points are counted, in spacings, and what is left out beyond.
@@ -35,6 +37,13 @@ struct End {
     piece: u32,
     place: [f64; 2],
     out: [f64; 2],
+}
+
+impl End {
+    /// Distance from the seed, in spacings.
+    fn distance(&self) -> f64 {
+        self.place[0].hypot(self.place[1])
+    }
 }
 
 /// Appends both corners of every step near the seed.
@@ -57,8 +66,7 @@ fn ends(section: &Section, pieces: &Pieces) -> Vec<End> {
         let Some(p) = p.filter(|p| p.length() >= LENGTH) else { continue };
         for (u, sign) in [(p.extent[0], -1.0), (p.extent[1], 1.0)] {
             let end = end(&p, piece, u, sign);
-            let [x, y] = end.place;
-            if x.hypot(y) <= CENTRE && stops(section, &p, u, sign) {
+            if end.distance() <= FAR && stops(section, &p, u, sign) {
                 ends.push(end);
             }
         }
@@ -99,7 +107,8 @@ fn is_step(section: &Section, a: &End, b: &End) -> bool {
     let gap = 0.5 * (along(a) - along(b));
     let height = (0.5 * (a.out[0] - b.out[0]) * step[1] - 0.5 * (a.out[1] - b.out[1]) * step[0]).abs();
     let more = NOISY * section.noise;
-    towards <= -PARALLEL
+    a.distance().min(b.distance()) <= CENTRE
+        && towards <= -PARALLEL
         && (-OVERLAP - more..=GAP.0 + GAP.1 * height + more).contains(&gap)
         && (HEIGHT.0 + HEIGHT.1 * section.noise..=HEIGHT.2).contains(&height)
 }
