@@ -15,6 +15,7 @@ mod gaps;
 mod links;
 mod moments;
 mod pieces;
+mod round;
 mod section;
 mod steps;
 
@@ -76,7 +77,7 @@ pub(crate) fn edgelets(
             pieces.cut(section, links, params.evidence);
             corners::corners(section, links, pieces, params.turn_deg.to_radians(), corners);
             steps::steps(section, pieces, corners);
-            if flat::is_flat(section, pieces, corners) {
+            if flat::is_flat(section, pieces, corners) || round::is_round(section, pieces, corners) {
                 out.push(Seen::Flat(points[seeds[i]]));
             }
             out.extend(corners.drain(..).map(Seen::Corner));
