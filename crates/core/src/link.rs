@@ -1,12 +1,14 @@
 //! Linkers: from the penalties of the points to graphs of lines.
 //!
 //! As printed: `spanning` (Gumhold 2001, sections 3.2 and 3.3) and `clusters` (Demarsin et al. 2007). Ours: `repair`, which
-//! both call in their robust forms, `flat`, `chains` and `triples`.
+//! both call in their robust forms, `flat`, `chains`, `handles`, `triples` and `passing`.
 
 mod chains;
 pub(crate) mod clusters;
 mod flat;
+mod handles;
 mod lines;
+mod passing;
 mod repair;
 mod spanning;
 mod triples;

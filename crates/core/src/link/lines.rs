@@ -2,6 +2,8 @@
 
 use super::chains::chains;
 use super::flat;
+use super::handles;
+use super::passing;
 use super::repair::{bridge, dock, repair};
 use super::spanning::{CycleRule, candidate_edges, minimum_spanning_graph, prune};
 use super::triples;
@@ -43,7 +45,9 @@ pub(crate) fn link(
                 flat::remove(&mut strips, &measure.flat, &measure.edgelets, scales);
                 pattern.crease = chains(strips, &measure.edgelets, length, evidence, scales);
                 bridge(&mut pattern.crease, StripKind::Crease, scales, repair);
+                handles::remove(&mut pattern.crease, scales);
                 triples::gather(&mut pattern.crease, scales);
+                passing::unmark(&mut pattern.crease, scales);
             }
             dock(&mut pattern, scales);
         }

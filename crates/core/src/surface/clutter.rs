@@ -236,4 +236,18 @@ mod tests {
         let lost = found[walls..].iter().filter(|&&c| c).count();
         assert!(lost < 12, "{lost} of 400");
     }
+
+    #[test]
+    fn both_sides_of_a_thin_sheet_stay() {
+        let mut seed = 13;
+        let mut points = room(&mut seed);
+        let walls = points.len();
+        for k in 0..1200 {
+            let side = 0.5 * f64::from(k % 2) + 0.04 * (random(&mut seed) - 0.5);
+            points.push([20.0 + 12.0 * random(&mut seed), 20.0 + side, 5.0 + 50.0 * random(&mut seed)]);
+        }
+        let found = clutter(&points);
+        let lost = found[walls..].iter().filter(|&&c| c).count();
+        assert!(lost < 24, "{lost} of 1200");
+    }
 }

@@ -35,6 +35,18 @@ fn a_step_of_density_is_neither_clutter_nor_a_border() {
 }
 
 #[test]
+fn two_walls_a_few_spacings_apart_have_a_border_each() {
+    for gap in [2.0, 2.3, 3.0] {
+        let mut rng = Rng::new(6);
+        let mut wall = || sheet([0.0, 0.0], [30.0, 24.0], 1.0, &mut rng);
+        let mut points = wall();
+        points.extend(wall().iter().map(|&[x, y, _]| [x, y, gap]));
+        let found = found(&points);
+        assert_eq!(counts(&found), [0, 8, 0], "{gap}");
+    }
+}
+
+#[test]
 fn a_volume_around_a_sheet_is_left_out_however_much_there_is_of_it() {
     for volume in [1_000, 20_000] {
         let mut rng = Rng::new(9);

@@ -159,7 +159,7 @@ fn flat_places_lie_away_from_the_edge() {
 
 #[test]
 fn both_corners_of_a_step_are_found_where_no_point_lies_on_its_face() {
-    for (height, noise) in [(1.4, 0.05), (2.0, 0.05), (1.4, 0.15)] {
+    for (height, noise) in [(1.4, 0.05), (2.0, 0.05), (2.4, 0.05), (1.4, 0.15)] {
         let mut rng = Rng::new(5);
         let mut points = Vec::new();
         for i in 0..40 {
@@ -218,6 +218,7 @@ fn a_thin_pipe_has_no_creases() {
             normals.push([0.0, angle.cos() as f32, angle.sin() as f32]);
         }
     }
-    let n = edgelets(&points, &normals, scales(0.05), &EdgeletParams::default()).0.len();
-    assert!(n == 0, "{n}");
+    let (found, smooth) = edgelets(&points, &normals, scales(0.05), &EdgeletParams::default());
+    assert!(found.is_empty(), "{}", found.len());
+    assert!(smooth.len() > 20, "{}", smooth.len());
 }

@@ -5,6 +5,7 @@
 //! ellipsoid (equation 7) shows no direction.
 
 use super::open_angle::{chance_opening, open_angle};
+use super::surroundings::Surroundings;
 use crate::math::tensor::ellipsoid;
 use crate::math::vec3::{add_scaled, cross, dot, norm, sub};
 use crate::measure::Row;
@@ -29,23 +30,61 @@ pub fn may_be_border(points: &[[f64; 3]], i: usize, near: &[u32]) -> bool {
     norm(sum) >= BORDER_LEAN * distances
 }
 
-/// The border penalties of point `i` with neighbourhood `wide`; `None` if it cannot lie on a border.
-pub fn border(
-    points: &[[f64; 3]],
+/// Rise of a face over the tangent plane of one of its points, by distance in the plane and at the point itself, in spacings, and
+/// what a spacing of noise adds: points farther off lie on another sheet.
+const RISE: (f64, f64, f64) = (0.5, 0.5, 2.0);
+
+/// The border penalties of point `i` with neighbourhood `wide`, where the surface folds by `fold`, the sine of half the angle;
+/// `None` if it cannot lie on a border.
+///
+/// Where the surface is smooth its own face alone counts: two sheets a few spacings apart are thicker than their rims are deep, so
+/// that the ellipsoid of both stands on end.
+pub(crate) fn border(
+    surroundings: &Surroundings,
     i: usize,
     wide: &[u32],
+    fold: f64,
+    params: &PenaltyParams,
+    angles: &mut Vec<f64>,
+) -> Option<Row> {
+    let (points, scale) = (surroundings.points, surroundings.scales.at(i));
+    if fold < surroundings.least_fold {
+        let normal = surroundings.normal(i);
+        return row(points, i, &face(points, i, wide, normal, scale), normal, scale, params, angles);
+    }
+    let normal = ellipsoid(points, i, wide).axes.vectors[0];
+    row(points, i, wide, normal, scale, params, angles)
+}
+
+/// The points of `wide` that can lie on one face with point `i`, of which `normal` is the normal.
+fn face(points: &[[f64; 3]], i: usize, wide: &[u32], normal: [f64; 3], scale: Resolution) -> Vec<u32> {
+    let (slope, least, noisy) = RISE;
+    let least = least * scale.spacing + noisy * scale.noise;
+    let on = |j: &u32| {
+        let d = sub(points[*j as usize], points[i]);
+        let height = dot(d, normal).abs();
+        height <= least + slope * (dot(d, d) - height * height).max(0.0).sqrt()
+    };
+    wide.iter().copied().filter(on).collect()
+}
+
+/// The border penalties of point `i` among `near`, seen along `normal`.
+fn row(
+    points: &[[f64; 3]],
+    i: usize,
+    near: &[u32],
+    normal: [f64; 3],
     scale: Resolution,
     params: &PenaltyParams,
     angles: &mut Vec<f64>,
 ) -> Option<Row> {
-    let normal = ellipsoid(points, i, wide).axes.vectors[0];
-    let opening = open_angle(points, i, wide, normal, angles);
+    let opening = open_angle(points, i, near, normal, angles);
     let least = params.opening_deg.to_radians();
     if opening.angle < chance_opening(angles.len(), params.opening_chance).max(least) {
         return None;
     }
     let along = cross(normal, opening.middle);
-    let outward = outermost(points, i, wide, along, opening.middle, scale);
+    let outward = outermost(points, i, near, along, opening.middle, scale);
     Some(Row {
         scalar: (1.0 - opening.angle / TAU) as f32, // equation 8
         vector: along.map(|x| x as f32),

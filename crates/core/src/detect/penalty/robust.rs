@@ -93,9 +93,10 @@ pub fn borders(points: &[[f64; 3]], graph: &Neighbors, scales: Scales, params: &
         }
         let sides =
             Sides::around(&surroundings, i, inner(graph, i, surroundings.hops(i), &mut buffers.scratch));
-        if sides.fold() < HIDING_FOLD {
+        let fold = sides.fold();
+        if fold < HIDING_FOLD {
             let wide = graph.hops(i, surroundings.hops(i).max(2), &mut buffers.scratch);
-            let row = border(points, i, wide, scales.at(i), params, &mut buffers.angles);
+            let row = border(&surroundings, i, wide, fold, params, &mut buffers.angles);
             block.border.extend(row.map(|row| (i as u32, row)));
         }
     };
@@ -123,7 +124,7 @@ fn point(
     buffers: &mut Buffers,
     block: &mut Block,
 ) {
-    let Surroundings { points, graph, scales, least_fold, .. } = surroundings;
+    let Surroundings { points, graph, least_fold, .. } = surroundings;
     let hops = surroundings.hops(i);
     let Buffers { scratch, angles, section } = buffers;
     let sides = Sides::around(surroundings, i, inner(graph, i, hops, scratch));
@@ -141,7 +142,7 @@ fn point(
         block.crease.extend(row.map(|row| (i as u32, row)));
     }
     if open {
-        let row = border(points, i, wide, scales.at(i), params, angles);
+        let row = border(surroundings, i, wide, fold, params, angles);
         block.border.extend(row.map(|row| (i as u32, row)));
     }
 }

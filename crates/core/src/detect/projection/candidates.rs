@@ -77,20 +77,17 @@ type Candidate = (u32, Option<Row>, Option<Row>);
 
 /// The candidates of creases where the surface folds, and those of borders, ascending, with their penalties.
 fn rows(surroundings: &Surroundings, marks: &Marks, params: &PenaltyParams) -> Vec<Candidate> {
-    let Surroundings { points, graph, scales, least_fold, .. } = surroundings;
+    let Surroundings { points, graph, least_fold, .. } = surroundings;
     type Buffers = (Scratch, CrossSection, Vec<f64>);
     parallel::flat_map_with(
         points.len(),
         parallel::QUICK,
         |(scratch, section, angles): &mut Buffers, i, out| {
             let hops = surroundings.hops(i).max(2);
-            let wide = graph.hops(i, hops, scratch);
-            let border = may_be_border(points, i, graph.of(i))
-                .then(|| border(points, i, wide, scales.at(i), params, angles))
-                .flatten();
+            let may_be_border = may_be_border(points, i, graph.of(i));
             let score = f64::from(marks.score[i]);
             let is_crease = score > CANDIDATE_SHARE * marks.threshold;
-            if !is_crease && border.is_none() {
+            if !is_crease && !may_be_border {
                 return;
             }
             let sides = Sides::around(surroundings, i, graph.hops(i, hops - 1, scratch));
@@ -100,7 +97,12 @@ fn rows(surroundings: &Surroundings, marks: &Marks, params: &PenaltyParams) -> V
             let crease = (is_crease && fold > FOLDED * least_fold)
                 .then(|| crease(surroundings, i, &sides, penalty, wide, section))
                 .flatten();
-            out.push((i as u32, crease, border.filter(|_| fold < HIDING_FOLD)));
+            let border = (may_be_border && fold < HIDING_FOLD)
+                .then(|| border(surroundings, i, wide, fold, params, angles))
+                .flatten();
+            if is_crease || border.is_some() {
+                out.push((i as u32, crease, border));
+            }
         },
     )
 }
