@@ -9,7 +9,7 @@ use crate::pattern::{LineGraph, Path, paths};
 use crate::surface::Scales;
 
 /// Greatest distance of a handle from the vertices of the line beside it, in spacings.
-const BESIDE: f64 = 1.5;
+const BESIDE: f64 = 1.2;
 
 /// Removes each line between two nodes beside which a shorter way leads from one to the other.
 pub(super) fn remove(lines: &mut LineGraph, scales: Scales) {

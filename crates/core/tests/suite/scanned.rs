@@ -36,7 +36,7 @@ fn a_step_of_density_is_neither_clutter_nor_a_border() {
 
 #[test]
 fn two_walls_a_few_spacings_apart_have_a_border_each() {
-    for gap in [2.0, 2.3, 3.0] {
+    for gap in [2.3, 2.5, 3.0] {
         let mut rng = Rng::new(6);
         let mut wall = || sheet([0.0, 0.0], [30.0, 24.0], 1.0, &mut rng);
         let mut points = wall();
