@@ -5,7 +5,7 @@
 //! seeds spread over the folds, `section` follows the field some spacings to either side and pools the points beside it in one
 //! plane across. There `links` and `pieces` cut them to smooth pieces, and `corners` takes the places where two pieces meet at an
 //! angle, `gaps` those that one of the two does not reach, `steps` the ends of parallel ones that face each other; `flat` tells
-//! the sections of a face alone. `distinct` keeps the places that several cross-sections agree on.
+//! the sections of a face alone, `round` those of a pipe. `distinct` keeps the places that several cross-sections agree on.
 
 mod corners;
 mod distinct;
@@ -55,8 +55,8 @@ struct Scratch {
     pieces: Pieces,
 }
 
-/// The edgelets of a cloud, local frame, and the points at which a cross-section shows no crease. `normals` are unit vectors of either sign, a row for each point; none where they are
-/// absent, and none where the noise exceeds the limit.
+/// The edgelets of a cloud, local frame, and the points at which a cross-section shows no crease. `normals` are unit vectors of
+/// either sign, a row for each point; none where they are absent, and none where the noise exceeds the limit.
 pub(crate) fn edgelets(
     points: &[[f64; 3]],
     normals: &[[f32; 3]],
