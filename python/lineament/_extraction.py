@@ -151,7 +151,7 @@ def run(points: PointsLike, given: list[tuple[str, str]], progress: Progress) ->
     """The extraction with these parameters."""
     scan = as_scan(points)
     with watcher(progress) as watch:
-        raw = _lineament.extract(scan.points, given, watch)
+        raw = _lineament.extract(scan.points, given, watch, scan.folds)
     report = Report._of(raw["report"])
     used = raw["report"]["used"]
     known = {"method": report.used["method"], "parameters": used, "spacing": report.spacing, "noise": report.noise}

@@ -47,6 +47,8 @@ class Scan:
     """Parts of the file that are not in the points, one sentence each."""
     sampled: tuple[int, float] | None = None
     """The faces of a mesh on which the points were sampled, and the spacing of the points; ``None`` if they are those of the file."""
+    folds: _lineament.Folds | None = field(default=None, repr=False)
+    """The edges at which that mesh folds, which :func:`extract` takes for creases where points are near them."""
     files: list[str] = field(default_factory=list[str])
     """The files that were read, which no output overwrites."""
     las: _lineament.Las | None = field(default=None, repr=False)
@@ -182,6 +184,7 @@ def read(
         crs_wkt=raw["crs_wkt"],
         sha256=raw["sha256"],
         sampled=raw["sampled"],
+        folds=raw["folds"],
         missing=raw["missing"],
         warnings=raw["warnings"],
         ignored=raw["ignored"],

@@ -20,7 +20,7 @@ PARTS = ("reports", "attack", "points", "without", "systems", "meshes")
 def main(path: str, data: str, parts: list[str]) -> int:
     wrong = 0
     with tempfile.TemporaryDirectory() as folder:
-        program = Program(path, Path(data), Path(folder))
+        program = Program(path, Path(data).resolve(strict=True), Path(folder))
         print("| input | found first | now | right |\n|---|---|---|---|")
         for part in parts or PARTS:
             for name, first, now, right in importlib.import_module(part).rows(program):

@@ -6,8 +6,9 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use lineament::mesh::Fold;
 use lineament::section::{SectionParams, Sections, Stack, section_observed};
-use lineament::{Cloud, Error, Extraction, Params, Progress, Stage, extract, extract_observed};
+use lineament::{Cloud, Error, Extraction, Params, Progress, Stage, extract_sampled};
 
 /// Work shorter than this shows nothing.
 const PATIENCE: Duration = Duration::from_millis(700);
@@ -26,13 +27,13 @@ const SHARES: [(Stage, f64); 8] = [
 
 /// Extracts the lines. On a terminal, and unless the user has asked for quiet, standard error shows the stage, the share done and
 /// the time left.
-pub fn observed(cloud: &Cloud, params: &Params, quiet: bool) -> Result<Extraction, Error> {
+pub fn observed(cloud: &Cloud, folds: &[Fold], params: &Params, quiet: bool) -> Result<Extraction, Error> {
     if is_silent(quiet) {
-        return extract(cloud, params);
+        return extract_sampled(cloud, folds, params, &|_| ());
     }
     let clock = Clock::start();
     shown("extract", |line| {
-        extract_observed(cloud, params, &|progress| {
+        extract_sampled(cloud, folds, params, &|progress| {
             line.set_message(clock.text(progress.stage.name(), share(progress)));
         })
     })

@@ -5,9 +5,9 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use lineament::mesh::MeshPoints;
+use lineament::mesh::{Fold, MeshPoints};
 use lineament::{Cloud, shapes};
-use lineament_io::{LasFrame, ReadOptions, read};
+use lineament_io::{LasFrame, ReadOptions, Sampled, read};
 
 use crate::args::{Reading, Source};
 use crate::config::near;
@@ -31,8 +31,8 @@ pub struct Input {
     pub crs: Option<String>,
     pub epsg: Option<u32>,
     pub las: Option<LasFrame>,
-    /// Faces that the points were sampled on, and the spacing of these points.
-    pub sampled: Option<(usize, f64)>,
+    /// The mesh that the points were sampled on.
+    pub sampled: Option<Sampled>,
     /// The name of the format, and the number of bytes; nothing for a generated scan.
     pub format: Option<(String, u64)>,
     /// The missing part of a salvaged file.
@@ -51,6 +51,11 @@ impl Input {
     /// The coordinate reference system for outputs: `EPSG:` and its code, or its name.
     pub fn reference(&self) -> Option<String> {
         self.epsg.map(|code| format!("EPSG:{code}")).or_else(|| self.crs.clone())
+    }
+
+    /// The edges at which the mesh folds that the points were sampled on; none of a scan.
+    pub fn folds(&self) -> &[Fold] {
+        self.sampled.as_ref().map_or(&[], |sampled| &sampled.folds)
     }
 
     /// The direction that points up in pictures: y for glTF, as that format has it, and z for all others.

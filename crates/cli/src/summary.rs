@@ -100,8 +100,8 @@ pub fn points(input: &Input, report: &Report) -> String {
 /// How many points were read, how many of them are not finite, and how many repeat another one.
 pub fn read(input: &Input, counts: [usize; 3]) -> String {
     let [read, dropped, merged] = counts.map(grouped);
-    if let Some((faces, spacing)) = input.sampled {
-        let [faces, spacing] = [grouped(faces), figure(spacing)];
+    if let Some(sampled) = &input.sampled {
+        let [faces, spacing] = [grouped(sampled.faces), figure(sampled.spacing)];
         return format!(
             "{}: {read} points sampled over {faces} faces, {spacing} apart (--samples for others, --vertices for the vertices alone)",
             input.name

@@ -79,7 +79,7 @@ impl Work<'_> {
 
     /// Extracts the lines of an input.
     pub fn extract(&self, origin: &Origin, input: &Input) -> Result<Extraction, Failure> {
-        progress::observed(&input.cloud, &self.params, self.args.running.quiet)
+        progress::observed(&input.cloud, input.folds(), &self.params, self.args.running.quiet)
             .map_err(|e| Failure::from(e).at(origin.shown()))
     }
 }

@@ -6,6 +6,7 @@ use crate::classify::classes;
 use crate::error::Error;
 use crate::frame::Frame;
 use crate::measure::{Class, Measure};
+use crate::mesh::Fold;
 use crate::method::{self, ClusterStages};
 use crate::neighbors::Neighbors;
 use crate::network::{Network, Strip};
@@ -36,7 +37,20 @@ pub fn extract_observed(
     params: &Params,
     observe: &(dyn Fn(Progress) + Sync),
 ) -> Result<Extraction, Error> {
-    pipeline(world.as_ref(), params, observe, &|cloud| Ok(method::detect(cloud, params)))
+    extract_sampled(world, &[], params, observe)
+}
+
+/// As [`extract_observed`], of points sampled on a mesh, whose `folds` in the world frame the default method takes for creases.
+///
+/// # Errors
+/// As [`extract`].
+pub fn extract_sampled(
+    world: &(impl AsRef<[[f64; 3]]> + ?Sized),
+    folds: &[Fold],
+    params: &Params,
+    observe: &(dyn Fn(Progress) + Sync),
+) -> Result<Extraction, Error> {
+    pipeline(world.as_ref(), folds, params, observe, &|cloud| Ok(method::detect(cloud, params)))
 }
 
 /// As [`extract`], with a detector of one's own and the linker of the method `penalty`. `detect` gets the positions (distinct
@@ -50,7 +64,7 @@ pub fn extract_with(
     detect: impl Fn(&[[f64; 3]], &Neighbors, Resolution) -> Measure,
 ) -> Result<Extraction, Error> {
     let params = method::with_own_detector(params);
-    pipeline(world.as_ref(), &params, &|_| (), &|cloud| {
+    pipeline(world.as_ref(), &[], &params, &|_| (), &|cloud| {
         let measure = detect(&cloud.positions, &cloud.graph, cloud.resolution);
         measure.check(cloud.positions.len(), method::wants_patches(&params))?;
         Ok(measure)
@@ -59,13 +73,14 @@ pub fn extract_with(
 
 fn pipeline(
     world: &[[f64; 3]],
+    folds: &[Fold],
     params: &Params,
     observe: &(dyn Fn(Progress) + Sync),
     detect: &dyn Fn(&Prepared) -> Result<Measure, Error>,
 ) -> Result<Extraction, Error> {
     params.check()?;
     let mut clock = Clock::new(observe);
-    let cloud = prepare(world, params, &mut clock)?;
+    let cloud = prepare(world, params, &mut clock)?.with_folds(folds);
     let mut measure = clock.run(Stage::Detect, || detect(&cloud))?;
     let (mut pattern, clusters) = clock.run(Stage::Link, || method::link(&cloud, &mut measure, params));
     let mut network = clock.run(Stage::Recover, || method::recovered(&cloud, &measure, &pattern, params));

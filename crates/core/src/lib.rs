@@ -113,7 +113,7 @@ pub use clean::{Cleaned, clean, clean_observed};
 pub use cloud::{Attribute, Cloud, Column};
 pub use detect::segments::{Segmentation, Segmented};
 pub use error::Error;
-pub use extract::{Extraction, extract, extract_observed, extract_with};
+pub use extract::{Extraction, extract, extract_observed, extract_sampled, extract_with};
 pub use frame::{Frame, Localised};
 pub use link::clusters::GraphStage;
 pub use measure::{Class, Direction, Evidence, Measure, Penalties, Row};

@@ -13,5 +13,6 @@ mod repair;
 mod spanning;
 mod triples;
 
+pub(crate) use chains::Known;
 pub(crate) use lines::link;
 pub(crate) use spanning::{CycleRule, Metric};

@@ -10,12 +10,14 @@ mod edges;
 mod eliminate;
 mod faces;
 mod features;
+mod folds;
 mod scatter;
 mod sharp;
 mod triangles;
 
 pub use edges::{MeshLine, lines};
 pub use faces::Faces;
+pub use folds::Fold;
 
 use canonical::Surface;
 
@@ -41,6 +43,8 @@ pub struct MeshSample {
     /// The size of the smallest features, unit of the input, where the mesh has any: the extent of sharp edges, the width of the
     /// faces between them.
     pub feature: Option<f64>,
+    /// The edges at which its faces fold, world frame.
+    pub folds: Vec<Fold>,
 }
 
 /// The most points that can be asked for.
@@ -67,7 +71,12 @@ pub fn sample(vertices: &[[f64; 3]], faces: &Faces, points: MeshPoints) -> Optio
     let points: Vec<[f64; 3]> =
         kept.iter().map(|&i| surface.to_world(candidates[i as usize].position)).collect();
     let spacing = (surface.area / points.len().max(1) as f64).sqrt() / surface.scale;
-    Some(MeshSample { points, spacing, feature: feature.map(|size| size / surface.scale) })
+    Some(MeshSample {
+        points,
+        spacing,
+        feature: feature.map(|size| size / surface.scale),
+        folds: folds::folds(&surface),
+    })
 }
 
 #[cfg(test)]

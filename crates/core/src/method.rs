@@ -8,7 +8,7 @@ pub use segments::ClusterStages;
 use crate::detect::edgelets::edgelets;
 use crate::detect::{penalty, projection};
 use crate::error::Error;
-use crate::link::{self, CycleRule, Metric};
+use crate::link::{self, CycleRule, Known, Metric};
 use crate::measure::Measure;
 use crate::network::Network;
 use crate::params::{Method, ParamValue, Params, PenaltyForm, SegmentForm, WedgeForm};
@@ -83,7 +83,8 @@ pub(crate) fn link(
         _ if !cloud.has_surface() => Default::default(),
         Method::Auto | Method::Penalty | Method::Projection => {
             let rule = cycle_rule(cloud, params);
-            let mut pattern = link::link(&cloud.graph, measure, cloud.scales(), params, rule);
+            let mut pattern =
+                link::link(&cloud.graph, measure, cloud.scales(), params, rule, &known(cloud, params));
             if params.method == Method::Auto && params.penalty.form == PenaltyForm::Robust {
                 close_rings(&mut pattern.crease, &cloud.positions, cloud.scales());
             }
@@ -94,6 +95,13 @@ pub(crate) fn link(
             (pattern, Some(stages))
         }
     }
+}
+
+/// The folds of the mesh that the points were sampled on, for the method that is of no paper.
+fn known<'a>(cloud: &'a Prepared, params: &Params) -> Known<'a> {
+    let wanted = params.method == Method::Auto && params.edgelets.folds;
+    let folds = if wanted { cloud.folds.as_slice() } else { &[] };
+    Known { folds, points: &cloud.positions, least: params.penalty.fold_deg.to_radians() }
 }
 
 /// The network of a pattern, its creases and corners recovered from the faces if asked for.

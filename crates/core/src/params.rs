@@ -88,6 +88,8 @@ sections! {
         agree: usize = 3, "", 1.0..=100.0;
         /// Length that a chain of edgelets needs.
         chain_spacings: f64 = 5.0, "spacings", 0.0..=1000.0;
+        /// Whether the edges at which a mesh folds by `penalty.fold_deg` are creases, where the points are sampled on its faces.
+        folds: bool = true, "", 0.0..=0.0;
     }
 
     /// The minimum spanning graph and its pruning (Gumhold 2001, sections 3.2 and 3.3).

@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::frame::{Frame, Localised};
 use crate::math::vec3::{cross, norm, sub};
+use crate::mesh::Fold;
 use crate::neighbors::{Neighbors, all_nearest, among, riemannian};
 use crate::params::{Auto, Clutter, Method, Params, PenaltyForm, SegmentForm};
 use crate::report::{Clock, Report, Stage};
@@ -30,6 +31,8 @@ pub(crate) struct Prepared {
     pub(crate) resolution: Resolution,
     /// Points of the input that lie on no surface, ascending.
     pub(crate) clutter: Vec<u32>,
+    /// Edges at which the faces of a mesh fold that the points were sampled on, local frame; none of a scan.
+    pub(crate) folds: Vec<Fold>,
     /// `(M)` spacing at each point; empty if the mean holds everywhere.
     spacing: Vec<f32>,
     /// The number of points on surfaces in the whole cloud, of which `positions` may be a part.
@@ -82,6 +85,7 @@ pub(crate) fn prepare(world: &[[f64; 3]], params: &Params, clock: &mut Clock) ->
         graph,
         resolution,
         clutter,
+        folds: Vec::new(),
         spacing,
         findings,
         dropped,
@@ -194,12 +198,22 @@ impl Prepared {
             graph,
             resolution,
             clutter,
+            folds: Vec::new(),
             spacing,
             count,
             findings,
             dropped,
             merged,
         }
+    }
+
+    /// With the folds of the mesh that the points were sampled on, world frame.
+    pub(crate) fn with_folds(mut self, folds: &[Fold]) -> Prepared {
+        let unit = self.frame.length_to_world(1.0);
+        let local =
+            |f: &Fold| Fold { ends: f.ends.map(|p| self.frame.to_local(p)), height: f.height / unit, ..*f };
+        self.folds = folds.iter().map(local).collect();
+        self
     }
 
     /// Whether the stage `surface` left points out.

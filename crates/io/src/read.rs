@@ -31,7 +31,7 @@ use crate::error::{Error, printable};
 use crate::format::Format;
 use crate::source::Source;
 use lineament::Cloud;
-use lineament::mesh::{Faces, MeshPoints};
+use lineament::mesh::{Faces, Fold, MeshPoints};
 use std::fmt;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -102,8 +102,8 @@ pub struct Scan {
     /// The points in the order and the unit of the input; non-finite rows are in it. Of a mesh, with `ReadOptions::mesh`, points on
     /// its faces.
     pub cloud: Cloud,
-    /// Faces of a mesh that points were sampled on, and the spacing of these points.
-    pub sampled: Option<(usize, f64)>,
+    /// The mesh that points were sampled on.
+    pub sampled: Option<Sampled>,
     /// The format that was recognised.
     pub format: Format,
     /// The name of the input, as in messages.
@@ -126,6 +126,17 @@ pub struct Scan {
     pub sha256: Option<String>,
     /// Bytes of the input.
     pub bytes: u64,
+}
+
+/// The faces of a mesh that points were sampled on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sampled {
+    /// Their number.
+    pub faces: usize,
+    /// Mean distance of neighbouring points, unit of the input.
+    pub spacing: f64,
+    /// The edges at which they fold, for `lineament::extract_sampled`.
+    pub folds: Vec<Fold>,
 }
 
 /// Items that an input announced and does not hold.

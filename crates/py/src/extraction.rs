@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use lineament::patch::NO_PATCH;
-use lineament::{Attribute, Column, Extraction, Network, Patches, Related, extract_observed};
+use lineament::{Attribute, Column, Extraction, Network, Patches, Related, extract_sampled};
 use lineament_io::{NetworkContext, PointTable, Report, write_network, write_patches};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -17,7 +17,7 @@ use crate::patches::{self, PatchesOut};
 use crate::provenance::{Drawn, Provenance};
 use crate::report::page::is_page;
 use crate::report::{self, ReportOut};
-use crate::scan::ScanIn;
+use crate::scan::{Folds, ScanIn};
 use crate::settings::{self, Setting};
 use crate::state;
 use crate::work::{Observe, on_rows};
@@ -46,19 +46,22 @@ pub struct ExtractionOut<'py> {
     report: ReportOut,
 }
 
-/// Extracts the lines of `(N, 3)` points with these settings; `progress` is called with the name of a stage and the share done.
+/// Extracts the lines of `(N, 3)` points with these settings; `progress` is called with the name of a stage and the share done, `folds` are
+/// those of the mesh that the points were sampled on.
 #[pyfunction]
-#[pyo3(signature = (points, settings, progress=None))]
+#[pyo3(signature = (points, settings, progress=None, folds=None))]
 pub fn extract<'py>(
     points: &Bound<'py, PyArray2<f64>>,
     settings: Vec<Setting>,
     progress: Option<Bound<'py, PyAny>>,
+    folds: Option<PyRef<'py, Folds>>,
 ) -> PyResult<ExtractionOut<'py>> {
     let params = settings::params(&settings)?;
+    let folds = folds.map_or(Vec::new(), |folds| folds.0.clone());
     // Classes and scores are made on the worker, and what Python does not ask for is freed there.
     let work = move |points: &[[f64; 3]], observe: Observe| {
         let tell = |p: lineament::Progress| observe(p.stage.name(), p.done);
-        Ok::<_, Fault>(Kept::of(extract_observed(points, &params, &tell)?))
+        Ok::<_, Fault>(Kept::of(extract_sampled(points, &folds, &params, &tell)?))
     };
     out(points.py(), on_rows(points, progress, work)?)
 }

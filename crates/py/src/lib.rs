@@ -44,7 +44,7 @@ mod _lineament {
     #[pymodule_export]
     use crate::samples::{sample, samples};
     #[pymodule_export]
-    use crate::scan::{Las, read};
+    use crate::scan::{Folds, Las, read};
     #[pymodule_export]
     use crate::sections::{Cut, section};
     #[pymodule_export]

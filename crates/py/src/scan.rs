@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use lineament::Cloud;
-use lineament::mesh::MeshPoints;
+use lineament::mesh::{Fold, MeshPoints};
 use lineament_io::{Format, LasFrame, Missing, NetworkContext, ReadOptions, Returns, read as read_file};
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -33,6 +33,27 @@ impl Las {
 
     fn __getnewargs__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyBytes>,)> {
         state::bytes(py, &self.0)
+    }
+}
+
+/// The edges at which a mesh folds that points were sampled on.
+#[pyclass(frozen, module = "lineament._lineament")]
+pub struct Folds(pub Vec<Fold>);
+
+#[pymethods]
+impl Folds {
+    /// For copies and pickles.
+    #[new]
+    fn new(state: &[u8]) -> PyResult<Self> {
+        Ok(Self(state::value(state)?))
+    }
+
+    fn __getnewargs__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyBytes>,)> {
+        state::bytes(py, &self.0)
+    }
+
+    fn __len__(&self) -> usize {
+        self.0.len()
     }
 }
 
@@ -91,6 +112,7 @@ pub struct ScanOut<'py> {
     las: Option<Py<Las>>,
     sha256: Option<String>,
     sampled: Option<(usize, f64)>,
+    folds: Option<Py<Folds>>,
     bytes: u64,
 }
 
@@ -131,7 +153,8 @@ pub fn read(py: Python<'_>, path: PathBuf, options: Options) -> PyResult<ScanOut
         crs_wkt: scan.las.as_ref().and_then(LasFrame::wkt),
         las: scan.las.map(|las| Py::new(py, Las(las))).transpose()?,
         sha256: scan.sha256,
-        sampled: scan.sampled,
+        sampled: scan.sampled.as_ref().map(|s| (s.faces, s.spacing)),
+        folds: scan.sampled.map(|s| Py::new(py, Folds(s.folds))).transpose()?,
         bytes: scan.bytes,
     })
 }

@@ -66,8 +66,10 @@ fn file_lines(text: &mut String, input: &Input) {
         (Some(crs), _) => line(text, "reference", crs),
         (None, _) => {}
     }
-    let sampled =
-        input.sampled.map_or(String::new(), |(faces, _)| format!(", sampled over {} faces", grouped(faces)));
+    let sampled = input
+        .sampled
+        .as_ref()
+        .map_or(String::new(), |s| format!(", sampled over {} faces", grouped(s.faces)));
     line(text, "points", format!("{}{sampled}", grouped(input.cloud.len())));
     for attribute in &input.cloud.attributes {
         let (kind, range) = described_column(&attribute.values);

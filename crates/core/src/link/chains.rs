@@ -9,12 +9,16 @@ mod chain;
 mod close;
 mod crossing;
 mod double;
+mod folds;
 mod graph;
 mod join;
 mod meet;
 mod overlay;
 mod rings;
 mod samples;
+
+pub(crate) use folds::Known;
+pub(super) use folds::lay;
 
 use crate::measure::Edgelet;
 use crate::pattern::LineGraph;

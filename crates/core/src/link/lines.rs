@@ -1,6 +1,6 @@
 //! The crease and border patterns (Gumhold 2001, sections 3.2 and 3.3), repaired in the robust form.
 
-use super::chains::chains;
+use super::chains::{Known, chains, lay};
 use super::flat;
 use super::handles;
 use super::passing;
@@ -25,6 +25,7 @@ pub(crate) fn link(
     scales: Scales,
     params: &Params,
     rule: CycleRule,
+    known: &Known,
 ) -> Pattern {
     let Params { spanning, repair, .. } = params;
     let rules = LineRules { tau: spanning.tau, cycle: rule, repair };
@@ -48,6 +49,9 @@ pub(crate) fn link(
                 handles::remove(&mut pattern.crease, scales);
                 triples::gather(&mut pattern.crease, scales);
                 passing::unmark(&mut pattern.crease, scales);
+            }
+            if spanning.creases && !known.folds.is_empty() {
+                pattern.crease = lay(std::mem::take(&mut pattern.crease), known, scales);
             }
             dock(&mut pattern, scales);
         }

@@ -4,6 +4,7 @@ mod common;
 mod degenerate;
 mod false_lines;
 mod holes;
+mod meshes;
 mod metamorphic;
 mod naming;
 mod narrow_faces;

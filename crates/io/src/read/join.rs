@@ -1,6 +1,6 @@
 //! Several inputs as one cloud.
 
-use super::{ReadOptions, Scan, read};
+use super::{ReadOptions, Sampled, Scan, read};
 use crate::columns::Scalar;
 use crate::error::Error;
 use lineament::{Attribute, Column};
@@ -62,8 +62,12 @@ fn add(all: &mut Scan, mut next: Scan) {
     all.beside.append(&mut next.beside);
     all.missing = all.missing.take().or(next.missing);
     all.name = format!("{}, {}", all.name, next.name);
-    all.sampled = match (all.sampled, next.sampled) {
-        (Some((a, spacing)), Some((b, other))) => Some((a + b, spacing.max(other))),
+    all.sampled = match (all.sampled.take(), next.sampled) {
+        (Some(a), Some(b)) => Some(Sampled {
+            faces: a.faces + b.faces,
+            spacing: a.spacing.max(b.spacing),
+            folds: [a.folds, b.folds].concat(),
+        }),
         (a, b) => a.or(b),
     };
     all.bytes += next.bytes;

@@ -1,6 +1,6 @@
 //! Meshes: the faces that readers hand on, and the points that are taken of them.
 
-use super::{Decoded, ReadOptions};
+use super::{Decoded, ReadOptions, Sampled};
 use lineament::mesh::{Faces, sample};
 
 /// Corners up to which a face is read.
@@ -10,7 +10,7 @@ pub(super) const MOST_CORNERS: u64 = 1 << 16;
 pub(super) const NO_VERTEX: u32 = u32::MAX;
 
 /// With the points that the options ask for in place of the vertices; with how many faces they were sampled on, and their spacing.
-pub(super) fn sampled(mut decoded: Decoded, options: &ReadOptions) -> (Decoded, Option<(usize, f64)>) {
+pub(super) fn sampled(mut decoded: Decoded, options: &ReadOptions) -> (Decoded, Option<Sampled>) {
     let Some(points) = options.mesh else { return (decoded, None) };
     let faces = sound(&mut decoded);
     let Some(found) = sample(&decoded.cloud.positions, &faces, points) else {
@@ -24,7 +24,7 @@ pub(super) fn sampled(mut decoded: Decoded, options: &ReadOptions) -> (Decoded, 
         decoded.ignored.push("attributes of the vertices: the points lie between them".into());
     }
     decoded.cloud.positions = found.points;
-    (decoded, Some((faces.len(), found.spacing)))
+    (decoded, Some(Sampled { faces: faces.len(), spacing: found.spacing, folds: found.folds }))
 }
 
 /// Takes the faces whose vertices are all there, and warns of the others.

@@ -2,7 +2,7 @@
 
 use crate::common::from_bytes;
 use lineament::mesh::MeshPoints;
-use lineament::{Cloud, NodeKind, Params, extract};
+use lineament::{NodeKind, Params, extract_sampled};
 use lineament_io::{ReadOptions, Scan};
 
 /// The corners of a box, and its twelve triangles, outwards.
@@ -155,7 +155,8 @@ fn a_box_gives_the_same_points_in_every_format() {
     for (name, file) in files() {
         let found = scan(name, &file, MeshPoints::Sampled(500));
         assert_eq!(found.cloud.positions, first.cloud.positions, "{name}");
-        assert_eq!(found.sampled.map(|s| s.0), Some(12), "{name}");
+        let sampled = found.sampled.unwrap();
+        assert_eq!((sampled.faces, sampled.folds.len()), (12, 12), "{name}");
         assert!(found.warnings.is_empty(), "{name}: {:?}", found.warnings);
     }
 }
@@ -174,10 +175,33 @@ fn the_vertices_are_there_for_those_who_ask() {
 fn a_sampled_box_has_twelve_creases_and_eight_junctions() {
     let found = scan("box.stl", &stl(), MeshPoints::Auto);
     assert_eq!(found.cloud.len(), 20_000);
-    let lines = extract(&Cloud::new(found.cloud.positions), &Params::default()).unwrap();
-    let network = &lines.network;
-    assert_eq!((network.strips.len(), network.count(NodeKind::Junction)), (12, 8));
-    lineament::check::network(network).unwrap();
+    let folds = &found.sampled.unwrap().folds;
+    for folds in [folds.as_slice(), &[]] {
+        let lines = extract_sampled(&found.cloud, folds, &Params::default(), &|_| ()).unwrap();
+        let network = &lines.network;
+        assert_eq!((network.strips.len(), network.count(NodeKind::Junction)), (12, 8));
+        lineament::check::network(network).unwrap();
+    }
+}
+
+#[test]
+fn strips_of_triangles_are_faces() {
+    // The sides of the box as one strip, then its bottom and its top; the second turns at a corner that is there twice.
+    let strips = "19 0 4 1 5 3 7 2 6 0 4 -1 0 1 2 3 -1 4 5 5\n";
+    let text = |last: &str| {
+        let vertices: String = (0..8).map(|i| line("", corner(i))).collect();
+        format!(
+            "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n\
+             element tristrips 2\nproperty list int int vertex_indices\nend_header\n{vertices}{strips}{last}\n"
+        )
+    };
+    let found = scan("strips.ply", text("4 4 5 6 7").as_bytes(), MeshPoints::Sampled(500));
+    let whole = scan("box.stl", &stl(), MeshPoints::Sampled(500));
+    assert_eq!(found.sampled.as_ref().map(|s| (s.faces, s.folds.len())), Some((12, 12)));
+    assert!(found.warnings.is_empty() && found.ignored.is_empty(), "{:?}", found.ignored);
+    assert_eq!(found.cloud.len(), whole.cloud.len());
+    let odd = scan("strips.ply", text("4 4 5 -2 7").as_bytes(), MeshPoints::Sampled(500));
+    assert!(odd.warnings[0].starts_with("1 faces without"), "{:?}", odd.warnings);
 }
 
 #[test]
@@ -193,7 +217,7 @@ fn faces_without_their_vertices_are_left_out_with_a_warning() {
     };
     for name in ["a.obj", "a.off", "a.ply"] {
         let found = scan(name, text(name).as_bytes(), MeshPoints::Sampled(50));
-        assert_eq!((found.cloud.len(), found.sampled.map(|s| s.0)), (50, Some(1)), "{name}");
+        assert_eq!((found.cloud.len(), found.sampled.map(|s| s.faces)), (50, Some(1)), "{name}");
         assert!(found.warnings[0].starts_with("3 faces without vertices"), "{name}: {:?}", found.warnings);
     }
 }

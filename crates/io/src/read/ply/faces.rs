@@ -1,12 +1,16 @@
-//! The faces of PLY inputs: of each row the list of its vertices.
+//! The faces of PLY inputs: of each row the list of its vertices. Rows of the element `tristrips` hold strips of triangles, in which -1
+//! stands between two of them.
 
 use super::header::{Element, Encoding, Kind};
 use crate::columns::{Endian, Scalar};
 use crate::error::Error;
 use crate::number::{integer, token, tokens};
 use crate::read::Decoded;
-use crate::read::mesh::MOST_CORNERS;
+use crate::read::mesh::{MOST_CORNERS, NO_VERTEX};
 use crate::source::Source;
+
+/// Items up to which a row of strips is read.
+const MOST_ITEMS: u64 = 1 << 26;
 
 /// Reads rows, in which property `list` holds the vertices of a face; gives how many were there whole.
 pub(super) fn read(
@@ -23,6 +27,7 @@ pub(super) fn read(
             Encoding::Binary(endian) => binary(source, element, endian, list, &mut face)?,
         };
         match there {
+            Row::Face if element.is_strips() => strips(&face, out),
             Row::Face => out.faces.push(&face),
             Row::Odd => out.odd_faces += 1,
             Row::Blank => continue,
@@ -31,6 +36,27 @@ pub(super) fn read(
         row += 1;
     }
     Ok(row)
+}
+
+/// The triangles of strips, each of which begins with two corners of the one before it.
+fn strips(items: &[u32], out: &mut Decoded) {
+    for strip in items.split(|&v| v == NO_VERTEX) {
+        for (k, corners) in strip.windows(3).enumerate() {
+            let &[a, b, c] = corners else { continue };
+            // A corner that is there twice turns the strip without a triangle.
+            if a != b && b != c && c != a {
+                out.faces.push(&if k % 2 == 0 { [a, b, c] } else { [b, a, c] });
+            }
+        }
+    }
+}
+
+/// The number of a vertex; in strips -1 stands for none.
+fn vertex(item: f64, strips: bool) -> Option<u32> {
+    match item {
+        -1.0 if strips => Some(NO_VERTEX),
+        _ => (0.0..f64::from(u32::MAX)).contains(&item).then_some(item as u32),
+    }
 }
 
 /// What came of a row.
@@ -56,10 +82,9 @@ fn text(source: &mut Source, element: &Element, list: usize, face: &mut Vec<u32>
         for _ in 0..count {
             let Some(word) = words.next() else { return Ok(Row::Odd) };
             if index == list {
-                let Some(vertex) = integer(word).and_then(|v| u32::try_from(v).ok()) else {
-                    return Ok(Row::Odd);
-                };
-                face.push(vertex);
+                let number = integer(word).and_then(|v| vertex(v as f64, element.is_strips()));
+                let Some(number) = number else { return Ok(Row::Odd) };
+                face.push(number);
             }
         }
     }
@@ -88,7 +113,8 @@ fn binary(
             return Err(source.malformed(found, "a length cannot be negative; the file is damaged"));
         }
         let wanted = (count as u64).saturating_mul(item.size() as u64);
-        if index != list || count as u64 > MOST_CORNERS {
+        let most = if element.is_strips() { MOST_ITEMS } else { MOST_CORNERS };
+        if index != list || count as u64 > most {
             odd |= index == list;
             if source.skip(wanted)? < wanted {
                 return Ok(Row::End);
@@ -98,8 +124,9 @@ fn binary(
         let here = source.peek(wanted as usize)?;
         let Some(items) = here.get(..wanted as usize) else { return Ok(Row::End) };
         for item in items.chunks_exact(item.size()).map(|bytes| item.value(bytes, endian)) {
-            odd |= !(0.0..f64::from(u32::MAX)).contains(&item);
-            face.push(item as u32);
+            let number = vertex(item, element.is_strips());
+            odd |= number.is_none();
+            face.push(number.unwrap_or(NO_VERTEX));
         }
         source.consume(wanted as usize);
     }

@@ -63,13 +63,18 @@ impl Element {
         self.name == "vertex"
     }
 
-    /// Of the faces, the list of their vertices, by index.
+    /// Whether its rows are strips of triangles.
+    pub fn is_strips(&self) -> bool {
+        self.name == "tristrips"
+    }
+
+    /// Of the faces, or of strips of triangles, the list of their vertices, by index.
     pub fn corners(&self) -> Option<usize> {
         let of = |p: &Property| {
             matches!(p.kind, Kind::List { item, .. } if item.is_integer())
                 && matches!(p.name.as_str(), "vertex_indices" | "vertex_index")
         };
-        (self.name == "face").then(|| self.properties.iter().position(of)).flatten()
+        (self.name == "face" || self.is_strips()).then(|| self.properties.iter().position(of)).flatten()
     }
 
     /// The properties x, y and z, by index.
