@@ -1,5 +1,7 @@
 //! Classes of the points, from the network.
 
+use std::ops::Range;
+
 use crate::math::trees::boxes::{Boxes, Extent};
 use crate::math::vec3::{add_scaled, distance2, dot, sub};
 use crate::measure::Class;
@@ -11,6 +13,8 @@ use crate::surface::Scales;
 /// Greatest distance of a point on a line from it, in spacings at the point. On a square lattice the next row, which is not on the
 /// line, lies at .88 spacings, the spacing being the mean distance to the six nearest.
 const ON_LINE: f64 = 0.85;
+/// Segments of a strip in one box: a tree over every segment would take longer than all searches in it.
+const ROW: usize = 8;
 /// Boxes are as exact as their numbers: this share more is looked at.
 const ROUNDING: f64 = 1e-9;
 
@@ -27,11 +31,10 @@ pub(crate) fn classes_of(
     network: &Network,
     sources: Scales,
 ) -> Vec<Class> {
-    let segments: Vec<Segment> = network.strips.iter().flat_map(|s| segments(s, sources)).collect();
-    let boxes = Boxes::new(segments.iter().map(|s| Extent::of([s.from, s.to])));
+    let lines = Lines::new(network, sources);
     let bound = |i: u32| (ON_LINE * scales.cautious(i)).powi(2);
     let mut classes = parallel::map(points.len(), parallel::QUICK, |i| {
-        first_near(&segments, &boxes, points[i], bound(i as u32)).map_or(Class::Smooth, |s| s.class)
+        lines.first_near(points[i], bound(i as u32)).map_or(Class::Smooth, |s| s.class)
     });
     let index = Index::build(points);
     let mut found = Vec::new();
@@ -74,16 +77,37 @@ fn segments(strip: &Strip, scales: Scales) -> impl Iterator<Item = Segment> {
     pairs.map(move |[from, to]| Segment { from, to, reach, class })
 }
 
-/// The first segment within the squared distance `bound` of a point.
-fn first_near<'a>(segments: &'a [Segment], boxes: &Boxes<3>, p: [f64; 3], bound: f64) -> Option<&'a Segment> {
-    let mut first = None;
-    boxes.near(p, bound * (1.0 + ROUNDING), |i| {
-        if first.is_none_or(|f| i < f) && segments[i as usize].holds(p, bound) {
-            first = Some(i);
+/// The pieces of all strips, in rows under a tree of boxes.
+struct Lines {
+    segments: Vec<Segment>,
+    rows: Vec<Range<usize>>,
+    boxes: Boxes<3>,
+}
+
+impl Lines {
+    fn new(network: &Network, scales: Scales) -> Lines {
+        let (mut all, mut rows) = (Vec::new(), Vec::new());
+        for strip in &network.strips {
+            let first = all.len();
+            all.extend(segments(strip, scales));
+            rows.extend((first..all.len()).step_by(ROW).map(|row| row..(row + ROW).min(all.len())));
         }
-        bound * (1.0 + ROUNDING)
-    });
-    first.map(|i| &segments[i as usize])
+        let ends = |row: &Range<usize>| all[row.clone()].iter().flat_map(|s| [s.from, s.to]);
+        let boxes = Boxes::new(rows.iter().map(|row| Extent::of(ends(row))));
+        Lines { segments: all, rows, boxes }
+    }
+
+    /// The first segment within the squared distance `bound` of a point.
+    fn first_near(&self, p: [f64; 3], bound: f64) -> Option<&Segment> {
+        let mut first: Option<usize> = None;
+        self.boxes.near(p, bound * (1.0 + ROUNDING), |row| {
+            let Range { start, end } = self.rows[row as usize].clone();
+            let before = first.map_or(end, |f| f.min(end));
+            first = (start..before).find(|&i| self.segments[i].holds(p, bound)).or(first);
+            bound * (1.0 + ROUNDING)
+        });
+        first.map(|i| &self.segments[i])
+    }
 }
 
 fn segment_distance2(p: [f64; 3], a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -97,16 +121,13 @@ fn segment_distance2(p: [f64; 3], a: [f64; 3], b: [f64; 3]) -> f64 {
 mod tests {
     use super::*;
 
-    #[test]
-    fn long_segments_are_looked_at_by_the_points_beside_them_alone() {
-        // The ball about each segment holds most of the points.
-        let count = 40_000u32;
-        let strip = |k: u32| Strip {
-            kind: if k.is_multiple_of(2) { StripKind::Crease } else { StripKind::Border },
+    fn strip(kind: StripKind, points: Vec<[f64; 3]>) -> Strip {
+        Strip {
+            kind,
             closed: false,
             start: None,
             end: None,
-            points: vec![[0.0, f64::from(k), 0.0], [f64::from(count), f64::from(k), 0.0]],
+            points,
             curve: Default::default(),
             sources: vec![0],
             fold_deg: None,
@@ -115,8 +136,39 @@ mod tests {
             confidence: 1.0,
             sigma: Vec::new(),
             curves: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn the_first_line_within_reach_gives_the_class_wherever_it_is_near() {
+        let mut rng = crate::shapes::Rng::new(3);
+        let mut place = || [0, 1, 2].map(|_| rng.between(0.0, 10.0));
+        let kinds = [StripKind::Crease, StripKind::Border];
+        let strips = (0..20).map(|k| strip(kinds[k % 2], (0..k + 2).map(|_| place()).collect())).collect();
+        let network = Network { strips, ..Network::default() };
+        let points: Vec<[f64; 3]> = (0..2000).map(|_| place()).collect();
+        let unit = crate::Resolution { spacing: 1.0, noise: 0.0 };
+        let near = |p: &[f64; 3]| {
+            let of = |s: &&Strip| {
+                s.points.windows(2).any(|w| segment_distance2(*p, w[0], w[1]) <= ON_LINE * ON_LINE)
+            };
+            network.strips.iter().find(of).map_or(Class::Smooth, |s| match s.kind {
+                StripKind::Crease => Class::Crease,
+                StripKind::Border => Class::Border,
+            })
         };
-        let network = Network { strips: (0..count).map(strip).collect(), ..Network::default() };
+        assert_eq!(classes(&points, &network, unit.into()), points.iter().map(near).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn long_segments_are_looked_at_by_the_points_beside_them_alone() {
+        // The ball about each segment holds most of the points.
+        let count = 40_000u32;
+        let line = |k: u32| {
+            let kind = if k.is_multiple_of(2) { StripKind::Crease } else { StripKind::Border };
+            strip(kind, vec![[0.0, f64::from(k), 0.0], [f64::from(count), f64::from(k), 0.0]])
+        };
+        let network = Network { strips: (0..count).map(line).collect(), ..Network::default() };
         let points: Vec<[f64; 3]> = (0..count)
             .flat_map(|k| [0.84, 0.86].map(|z| [f64::from(count - k) * 0.7, f64::from(k), z]))
             .collect();

@@ -83,6 +83,9 @@ pub(super) fn of_piece(piece: &Piece, near: &[[f64; 3]], lengths: Lengths) -> Op
         seen.phase >= from + margin && seen.phase <= to - margin && off <= lengths.reach + lengths.spacing
     };
     let points: Vec<[f64; 3]> = near.iter().filter(beside).copied().collect();
+    if points.len() < 2 * FACE_POINTS {
+        return None;
+    }
     let phase = |k: usize| from + (to - from) * k as f64 / (HELD - 1) as f64;
     let held: Vec<[f64; 3]> = (0..HELD).map(|k| sweep.point(phase(k))).collect();
     let fitted = fit(&points, &held, sweep, lengths)?;

@@ -56,13 +56,15 @@ impl Profile {
             let angle = s.at[1].atan2(s.at[0]).rem_euclid(TAU);
             counts[(angle / step) as usize % DIRECTIONS] += 1.0;
         }
+        // Most directions have no point.
+        let seen: Vec<(usize, f64)> = counts.into_iter().enumerate().filter(|c| c.1 > 0.0).collect();
         let apart = |a: usize, b: usize| {
             let d = a.abs_diff(b);
             d.min(DIRECTIONS - d)
         };
         let cost = |a: usize, b: usize| -> f64 {
-            let one = |(k, n): (usize, &f64)| n * (apart(k, a).min(apart(k, b)) as f64).min(FAR).powi(2);
-            counts.iter().enumerate().map(one).sum()
+            let one = |&(k, n): &(usize, f64)| n * (apart(k, a).min(apart(k, b)) as f64).min(FAR).powi(2);
+            seen.iter().map(one).sum()
         };
         let mut best = (f64::INFINITY, 0, 0);
         for a in 0..DIRECTIONS {
