@@ -30,9 +30,8 @@ def rows(program: Program) -> Iterator[Row]:
         "thin ring": ring(48, 50, 4),
         "prism": prism(6, 10, 30),
     }
-    # The last three are smooth or organic: nearly all of their sharp edges are single folds between facets of two spacings, which
-    # no sampling of the faces can show.
-    for name in ("fandisk.obj", "trim-star.off", "rocker-arm.obj", "screwdriver.off", "cow.obj"):
+    # The last four are smooth or organic: nearly all of their sharp edges are single folds between facets of two spacings.
+    for name in ("fandisk.obj", "trim-star.off", "rocker-arm.obj", "screwdriver.off", "cow.obj", "brain.ply"):
         shapes[name] = load(program.data / "models" / name)
     for name, (corners, faces) in shapes.items():
         for ext in ("stl", "obj", "ply", "glb"):
@@ -97,11 +96,29 @@ def load(path: Path) -> tuple[Points, Faces]:
     """Vertices and triangles of a mesh, equal vertices merged."""
     import trimesh
 
-    mesh = trimesh.load(path, force="mesh", process=False)
-    corners, index = np.unique(np.asarray(mesh.vertices, float), axis=0, return_inverse=True)
-    faces = index.ravel()[np.asarray(mesh.faces)]
+    if b"element tristrips" in path.read_bytes()[:1000]:
+        vertices, triangles = strips(path)
+    else:
+        mesh = trimesh.load(path, force="mesh", process=False)
+        vertices, triangles = np.asarray(mesh.vertices, float), np.asarray(mesh.faces)
+    corners, index = np.unique(vertices, axis=0, return_inverse=True)
+    faces = index.ravel()[triangles]
     keep = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
     return corners, faces[keep]
+
+
+def strips(path: Path) -> tuple[Points, Faces]:
+    """Vertices and triangles of a binary PLY of three floats a vertex and one row of strips, which trimesh does not read."""
+    head, body = path.read_bytes().split(b"end_header\n", 1)
+    count = int(head.split(b"element vertex ")[1].split()[0])
+    vertices = np.frombuffer(body, "<f4", 3 * count).reshape(count, 3).astype(float)
+    items = np.frombuffer(body, "<i4", offset=12 * count)[1:]
+    faces, start = [], 0
+    for end in [*np.flatnonzero(items < 0), len(items)]:
+        strip = items[start:end].tolist()
+        faces += [t if k % 2 == 0 else (t[1], t[0], t[2]) for k, t in enumerate(zip(strip, strip[1:], strip[2:]))]
+        start = end + 1
+    return vertices, np.array(faces)
 
 
 def save(path: Path, corners: Points, faces: Faces) -> None:
