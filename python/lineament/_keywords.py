@@ -74,7 +74,7 @@ class Parameters(TypedDict, total=False):
     """Length that a chain of edgelets needs. (spacings; a number from 0 to 1000; default 5.0)"""
     edgelets_folds: bool
     """Whether the edges at which a mesh folds by `penalty.fold_deg` are creases, where the points are sampled on its
-    faces. (true or false; default true)"""
+    faces. (true or false; default True)"""
     spanning_tau: float
     """Edges whose penalty share exceeds this are never part of a pattern. (a number from 0 to 2; default 1.0)"""
     spanning_rho: int | Literal["auto"]

@@ -7,6 +7,7 @@
 use rayon::prelude::*;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
+use std::collections::binary_heap::PeekMut;
 use std::ops::Range;
 
 use super::scatter::Candidate;
@@ -92,14 +93,17 @@ impl Grid {
             weights.iter().zip(0..).map(|(&w, at)| Crowded::new(w, at)).collect();
         let (mut stays, mut left) = (vec![true; self.places.len()], self.places.len());
         while left > count
-            && let Some(Crowded { weight, at: Reverse(at) }) = heap.pop()
+            && let Some(mut first) = heap.peek_mut()
         {
-            // Weights only ever fall: an entry that is out of date goes back with the weight of now.
-            let (now, at) = (Crowded::new(weights[at as usize], at), at as usize);
-            if weight > now.weight {
-                heap.push(now);
+            // Weights only ever fall: an entry that is out of date sinks to where the weight of now has its place.
+            let Reverse(at) = first.at;
+            let now = Crowded::new(weights[at as usize], at);
+            if first.weight > now.weight {
+                *first = now;
                 continue;
             }
+            PeekMut::pop(first);
+            let at = at as usize;
             (stays[at], left) = (false, left - 1);
             self.neighbours(at, |other, weight| weights[other] -= weight);
         }
