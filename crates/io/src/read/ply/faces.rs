@@ -82,7 +82,12 @@ fn text(source: &mut Source, element: &Element, list: usize, face: &mut Vec<u32>
         for _ in 0..count {
             let Some(word) = words.next() else { return Ok(Row::Odd) };
             if index == list {
-                let number = integer(word).and_then(|v| vertex(v as f64, element.is_strips()));
+                let between = element.is_strips() && word == b"-1";
+                let number = if between {
+                    Some(NO_VERTEX)
+                } else {
+                    integer(word).and_then(|v| vertex(v as f64, false))
+                };
                 let Some(number) = number else { return Ok(Row::Odd) };
                 face.push(number);
             }
