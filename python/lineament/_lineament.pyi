@@ -13,6 +13,7 @@ from lineament._scan import Scan
 
 __all__ = [
     "Cut",
+    "Folds",
     "Found",
     "Las",
     "Typed",
