@@ -76,21 +76,9 @@ pub(crate) fn prepare(world: &[[f64; 3]], params: &Params, clock: &mut Clock) ->
     let Joined { nearest, graph, resolution } = joined;
     let spacing =
         if scaled(params) { evened(&spacings(&positions, &nearest), resolution) } else { Vec::new() };
-    Ok(Prepared {
-        frame,
-        count: positions.len(),
-        positions,
-        source,
-        canonical,
-        graph,
-        resolution,
-        clutter,
-        folds: Vec::new(),
-        spacing,
-        findings,
-        dropped,
-        merged,
-    })
+    let count = positions.len();
+    let part = Prepared::of_part(frame, (positions, source), graph, (resolution, spacing), count);
+    Ok(Prepared { canonical, clutter, findings, dropped, merged, ..part })
 }
 
 /// Whether the stage `surface` runs: in the robust forms by default, but not in the forms as printed, which take every point.
