@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use lineament::mesh::{Fold, MeshPoints};
 use lineament::{Cloud, shapes};
-use lineament_io::{LasFrame, ReadOptions, Sampled, read};
+use lineament_io::{LasFrame, Planned, ReadOptions, Sampled, read};
 
 use crate::args::{Reading, Source};
 use crate::config::near;
@@ -33,6 +33,8 @@ pub struct Input {
     pub las: Option<LasFrame>,
     /// The mesh that the points were sampled on.
     pub sampled: Option<Sampled>,
+    /// The mesh whose vertices these are, where points would be sampled on it.
+    pub planned: Option<Planned>,
     /// The name of the format, and the number of bytes; nothing for a generated scan.
     pub format: Option<(String, u64)>,
     /// The missing part of a salvaged file.
@@ -192,6 +194,7 @@ fn from_file(path: &Path, name: String, options: &ReadOptions) -> Result<Input, 
         epsg: scan.epsg,
         las: scan.las,
         sampled: scan.sampled,
+        planned: scan.planned,
         format: Some((scan.format.to_string(), scan.bytes)),
         missing: scan.missing.map(|m| format!("the file ends early: {m}")),
         warnings: scan.warnings,
@@ -218,6 +221,7 @@ fn from_sample(sample: &str, seed: u64, name: String) -> Result<Input, Failure> 
         epsg: None,
         las: None,
         sampled: None,
+        planned: None,
         format: None,
         missing: None,
         warnings: Vec::new(),

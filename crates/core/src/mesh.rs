@@ -47,6 +47,17 @@ pub struct MeshSample {
     pub folds: Vec<Fold>,
 }
 
+/// What sampling a mesh would give, without the points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeshPlan {
+    /// The number of points; fewer stay where faces lie on each other.
+    pub points: usize,
+    /// Mean distance of neighbouring points, unit of the input.
+    pub spacing: f64,
+    /// The size of the smallest features, as [`MeshSample::feature`].
+    pub feature: Option<f64>,
+}
+
 /// The most points that can be asked for.
 pub const MOST_SAMPLES: usize = 2_000_000;
 
@@ -56,6 +67,29 @@ pub const MOST_SAMPLES: usize = 2_000_000;
 /// The points are a blue noise. They do not depend on the order of faces and vertices, on faces that are there twice, or on the
 /// place of the origin. `vertices` is `(V, 3)` f64, world frame.
 pub fn sample(vertices: &[[f64; 3]], faces: &Faces, points: MeshPoints) -> Option<MeshSample> {
+    let (surface, count, feature) = planned(vertices, faces, points)?;
+    let candidates = scatter::scatter(&surface, scatter::FACTOR * count);
+    let kept = eliminate::eliminate(&candidates, surface.area, count);
+    let points: Vec<[f64; 3]> =
+        kept.iter().map(|&i| surface.to_world(candidates[i as usize].position)).collect();
+    let spacing = spacing(&surface, points.len());
+    let feature = feature.map(|size| size / surface.scale);
+    Some(MeshSample { points, spacing, feature, folds: folds::folds(&surface) })
+}
+
+/// How many points [`sample`] would take, at a small part of its cost; `None` where it takes the vertices.
+pub fn plan(vertices: &[[f64; 3]], faces: &Faces, points: MeshPoints) -> Option<MeshPlan> {
+    let (surface, points, feature) = planned(vertices, faces, points)?;
+    let spacing = spacing(&surface, points);
+    Some(MeshPlan { points, spacing, feature: feature.map(|size| size / surface.scale) })
+}
+
+/// The surface to sample, with how many points, and the size of its smallest features, local frame.
+fn planned(
+    vertices: &[[f64; 3]],
+    faces: &Faces,
+    points: MeshPoints,
+) -> Option<(Surface, usize, Option<f64>)> {
     if points == MeshPoints::Vertices || faces.is_empty() {
         return None;
     }
@@ -66,17 +100,12 @@ pub fn sample(vertices: &[[f64; 3]], faces: &Faces, points: MeshPoints) -> Optio
         _ if dense::is_dense(&surface, feature) => return None,
         _ => features::samples(&surface, feature),
     };
-    let candidates = scatter::scatter(&surface, scatter::FACTOR * count);
-    let kept = eliminate::eliminate(&candidates, surface.area, count);
-    let points: Vec<[f64; 3]> =
-        kept.iter().map(|&i| surface.to_world(candidates[i as usize].position)).collect();
-    let spacing = (surface.area / points.len().max(1) as f64).sqrt() / surface.scale;
-    Some(MeshSample {
-        points,
-        spacing,
-        feature: feature.map(|size| size / surface.scale),
-        folds: folds::folds(&surface),
-    })
+    Some((surface, count, feature))
+}
+
+/// Mean distance of so many points on the surface, unit of the input.
+fn spacing(surface: &Surface, points: usize) -> f64 {
+    (surface.area / points.max(1) as f64).sqrt() / surface.scale
 }
 
 #[cfg(test)]

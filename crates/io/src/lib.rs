@@ -32,8 +32,8 @@ pub use format::{
 };
 pub use output::{Output, check_output};
 pub use read::{
-    LasFrame, LasRecord, LineFile, MeshFile, Missing, ReadOptions, Returns, Sampled, Scan, read, read_all,
-    read_from, read_lines, read_marks, read_mesh,
+    LasFrame, LasRecord, LineFile, MeshFile, Missing, Planned, ReadOptions, Returns, Sampled, Scan, read,
+    read_all, read_from, read_lines, read_marks, read_mesh,
 };
 pub use unit::Unit;
 pub use write::{

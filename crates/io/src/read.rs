@@ -31,7 +31,7 @@ use crate::error::{Error, printable};
 use crate::format::Format;
 use crate::source::Source;
 use lineament::Cloud;
-use lineament::mesh::{Faces, Fold, MeshPoints};
+use lineament::mesh::{Faces, Fold, MeshPlan, MeshPoints};
 use std::fmt;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -64,6 +64,8 @@ pub struct ReadOptions {
     pub format: Option<Format>,
     /// The points to take of a mesh; `None` takes its vertices and does not read the faces.
     pub mesh: Option<MeshPoints>,
+    /// Only tell what sampling a mesh would give, and take its vertices; not where `every`, `voxel` or `bounds` choose points.
+    pub plan: bool,
 }
 
 /// Returns of a pulse, by their number and the number of all.
@@ -92,6 +94,7 @@ impl Default for ReadOptions {
             bounds: None,
             format: None,
             mesh: None,
+            plan: false,
         }
     }
 }
@@ -104,6 +107,8 @@ pub struct Scan {
     pub cloud: Cloud,
     /// The mesh that points were sampled on.
     pub sampled: Option<Sampled>,
+    /// The mesh that points would be sampled on; only with `ReadOptions::plan`.
+    pub planned: Option<Planned>,
     /// The format that was recognised.
     pub format: Format,
     /// The name of the input, as in messages.
@@ -137,6 +142,15 @@ pub struct Sampled {
     pub spacing: f64,
     /// The edges at which they fold, for `lineament::extract_sampled`.
     pub folds: Vec<Fold>,
+}
+
+/// The faces of a mesh on which no points were sampled yet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Planned {
+    /// Their number.
+    pub faces: usize,
+    /// What sampling them gives.
+    pub plan: MeshPlan,
 }
 
 /// Items that an input announced and does not hold.
@@ -249,7 +263,7 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
     let (asked, options) = (options, if filters { &all } else { options });
     let decoded = by_format(&mut source, format, options)?;
     source.drain()?;
-    let (decoded, sampled) = mesh::sampled(decoded, options);
+    let (decoded, mesh::Taken { sampled, planned }) = mesh::taken(decoded, options);
     let Decoded { mut cloud, ignored, warnings, beside, missing, crs, epsg, las, .. } = decoded;
     let shown = |all: Vec<String>| -> Vec<String> { all.iter().map(|what| printable(what)).collect() };
     let (mut ignored, mut warnings) = (shown(ignored), shown(warnings));
@@ -262,6 +276,7 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
     Ok(Scan {
         cloud,
         sampled,
+        planned,
         format,
         name,
         ignored,

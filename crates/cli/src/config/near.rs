@@ -1,9 +1,18 @@
 //! The name that was likely meant.
 
-/// The known name nearest to a wrong one: one that ends in it behind a dot, or else one that few changed letters turn into it.
+/// Letters from which on a name that goes on after the wrong one is taken to be meant.
+const BEGUN: usize = 4;
+
+/// The known name nearest to a wrong one: one that ends in it behind a dot, or else the shortest that goes on after it, or else one
+/// that few changed letters turn into it.
 pub fn nearest<'a>(wrong: &str, known: impl Iterator<Item = &'a str> + Clone) -> Option<&'a str> {
     let ends = |name: &&str| name.rsplit('.').next().is_some_and(|last| last.eq_ignore_ascii_case(wrong));
-    known.clone().find(ends).or_else(|| {
+    let begun = |name: &&str| {
+        let whole = name.get(..wrong.len()).is_some_and(|start| start.eq_ignore_ascii_case(wrong));
+        whole && wrong.len() >= BEGUN
+    };
+    let begun = || known.clone().filter(begun).min_by_key(|name| name.len());
+    known.clone().find(ends).or_else(begun).or_else(|| {
         let all = known.map(|name| (changes(&wrong.to_ascii_lowercase(), &name.to_ascii_lowercase()), name));
         let least = all.min_by_key(|&(changes, _)| changes)?;
         // A third of the letters, and one at least is right.
@@ -43,6 +52,8 @@ mod tests {
         assert_eq!(near("penalty.gama"), Some("penalty.gamma"));
         assert_eq!(near("spaning.rho"), Some("spanning.rho"));
         assert_eq!(near("colour"), None);
+        let forms = ["penalty.form", "penalty.fold_deg", "penalty.fold_deg_least"];
+        assert_eq!(nearest("penalty.fold", forms.into_iter()), Some("penalty.fold_deg"));
         assert_eq!(nearest("q", ["x", "y"].into_iter()), None);
         assert_eq!(changes("penlaty", "penalty"), 1);
         assert_eq!(changes("", "abc"), 3);

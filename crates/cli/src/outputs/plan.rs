@@ -13,12 +13,12 @@ const STEM: &str = "{stem}";
 /// `suffixes`, and `{stem}` in a name means the input's name without folders and extension. Without `asked`, files
 /// beside the input; standard output for standard input.
 ///
-/// A folder that ends in a slash is made if it is not there.
+/// A folder that ends in a slash is made if it is not there, and so is the folder before a name with `{stem}` in it.
 ///
 /// # Errors
 /// Usage if two outputs would be one file; output if a folder cannot be made.
 pub fn plan(origins: &[Origin], asked: &[PathBuf], suffixes: &[&str]) -> Result<Vec<Vec<PathBuf>>, Failure> {
-    asked.iter().filter(|path| ends_in_slash(path)).try_for_each(|path| make(path))?;
+    asked.iter().filter_map(|path| to_make(path)).try_for_each(make)?;
     let plan: Vec<Vec<PathBuf>> = origins.iter().map(|origin| of_one(origin, asked, suffixes)).collect();
     match first_repeated(&plan) {
         None => Ok(plan),
@@ -70,6 +70,15 @@ fn ends_in_slash(path: &Path) -> bool {
     path.as_os_str().to_string_lossy().ends_with(['/', MAIN_SEPARATOR])
 }
 
+/// The folder that is to be there before results are written; `None` where the user makes it.
+fn to_make(path: &Path) -> Option<&Path> {
+    if ends_in_slash(path) {
+        return Some(path);
+    }
+    let holds_stem = |part: &Path| part.to_string_lossy().contains(STEM);
+    path.parent().filter(|folder| holds_stem(path) && !holds_stem(folder) && !folder.as_os_str().is_empty())
+}
+
 /// Makes a folder and those above it.
 pub fn make(folder: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(folder)
@@ -118,6 +127,8 @@ mod tests {
         let folder = format!("{}/new/lines/", base.path().display());
         let plan = planned(&["a.ply", "b.ply"], &[&folder]).unwrap();
         assert_eq!(plan[1][0], base.path().join("new/lines/b.lines.json"));
+        planned(&["a.ply"], &[&format!("{}/cad/{{stem}}.dxf", base.path().display())]).unwrap();
+        assert!(base.path().join("cad").is_dir());
         assert!(base.path().join("new/lines").is_dir());
     }
 

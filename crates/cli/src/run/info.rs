@@ -4,7 +4,7 @@ use std::fmt::{Display, Write};
 
 use lineament::neighbors::{all_nearest, riemannian};
 use lineament::{Cloud, Column, Frame, Resolution};
-use lineament_io::ReadOptions;
+use lineament_io::{Planned, ReadOptions, Sampled};
 
 use crate::args::Info;
 use crate::batch;
@@ -38,10 +38,10 @@ pub fn run(args: &Info) -> Result<(), Failure> {
 }
 
 fn described(origin: &Origin, args: &Info) -> Result<String, Failure> {
-    let input = origin.load(&args.source.reading, &ReadOptions::default())?;
+    let input = origin.load(&args.source.reading, &ReadOptions { plan: true, ..ReadOptions::default() })?;
     let mut text = String::new();
     file_lines(&mut text, &input);
-    cloud_lines(&mut text, &input.cloud).map_err(|e| e.at(origin.shown()))?;
+    cloud_lines(&mut text, &input.cloud, input.planned.as_ref()).map_err(|e| e.at(origin.shown()))?;
     Ok(text)
 }
 
@@ -66,20 +66,32 @@ fn file_lines(text: &mut String, input: &Input) {
         (Some(crs), _) => line(text, "reference", crs),
         (None, _) => {}
     }
-    let sampled = input
-        .sampled
-        .as_ref()
-        .map_or(String::new(), |s| format!(", sampled over {} faces", grouped(s.faces)));
-    line(text, "points", format!("{}{sampled}", grouped(input.cloud.len())));
+    match (&input.planned, &input.sampled) {
+        (Some(Planned { faces, plan }), _) => {
+            line(text, "faces", grouped(*faces));
+            line(text, "vertices", grouped(input.cloud.len()));
+            line(
+                text,
+                "points",
+                format!("{}, sampled over the faces for all other commands", grouped(plan.points)),
+            );
+        }
+        (_, sampled) => {
+            let over = |s: &Sampled| format!(", sampled over {} faces", grouped(s.faces));
+            let over = sampled.as_ref().map_or(String::new(), over);
+            line(text, "points", format!("{}{over}", grouped(input.cloud.len())));
+        }
+    }
     for attribute in &input.cloud.attributes {
         let (kind, range) = described_column(&attribute.values);
         line(text, "attribute", format!("{} ({kind}){range}", attribute.name));
     }
     input.missing.iter().chain(&input.warnings).for_each(|warning| line(text, "warning", warning));
-    input.remarks.iter().for_each(|remark| line(text, "note", remark));
+    input.remarks.iter().for_each(|remark| line(text, "left out", remark));
 }
 
-fn cloud_lines(text: &mut String, cloud: &Cloud) -> Result<(), Failure> {
+/// `planned` tells that the points are the vertices of a mesh, whose distances say nothing.
+fn cloud_lines(text: &mut String, cloud: &Cloud, planned: Option<&Planned>) -> Result<(), Failure> {
     let local = Frame::localise(cloud)?.with_spacing()?;
     line(text, "not finite", grouped(local.dropped));
     line(text, "duplicates", grouped(local.merged()));
@@ -89,7 +101,16 @@ fn cloud_lines(text: &mut String, cloud: &Cloud) -> Result<(), Failure> {
     for (axis, [min, max]) in ["x", "y", "z"].into_iter().zip(bounds(cloud)) {
         line(text, axis, format!("{min} to {max} (extent {})", figure(max - min)));
     }
-    if local.positions.len() > 1 {
+    if let Some(Planned { plan, .. }) = planned {
+        line(text, "spacing", figure(plan.spacing));
+        if let Some(size) = plan.feature {
+            line(
+                text,
+                "features",
+                format!("{} and more ({:.1} spacings)", figure(size), size / plan.spacing),
+            );
+        }
+    } else if local.positions.len() > 1 {
         let nearest = all_nearest(&local.positions, NEIGHBORS);
         let graph = riemannian::graph(&local.positions, &nearest);
         let resolution = Resolution::estimate(&local.positions, &nearest, &graph);

@@ -332,6 +332,16 @@ fn a_mesh_is_sampled_and_the_summary_says_so() {
         .says(&["3,000 points sampled"]);
     let none = sandbox.run(&["extract", "box.obj", "-o", "c.json", "--vertices"]).expect(0);
     none.says(&["8 points read", "no line: 8 points are too few"]);
+    let told = sandbox.run(&["info", "box.obj"]).expect(0).text();
+    for line in [
+        "faces       6\n",
+        "vertices    8\n",
+        "points      20,000, sampled",
+        "spacing     0.33",
+        "features    10 and more",
+    ] {
+        assert!(told.contains(line), "{line}: {told}");
+    }
     sandbox.run(&["extract", "box.obj", "--samples", "0"]).expect(2);
     sandbox.run(&["extract", "box.obj", "--samples", "10", "--vertices"]).expect(2);
 }

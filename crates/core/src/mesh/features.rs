@@ -13,14 +13,17 @@ const TURN: f64 = 0.642_788;
 const SPACINGS: f64 = 10.0;
 /// Share of the length of all features that may be smaller still: slivers, which are no features.
 const SLIVERS: f64 = 0.01;
-/// Fewest and most points by default.
+/// Fewest points by default.
 const FEWEST: f64 = 20_000.0;
-const MOST: f64 = 200_000.0;
+/// Most points by default: so many for each triangle, within bounds. A mesh of few triangles has few features, however small one is.
+const A_TRIANGLE: usize = 20;
+const MOST: [usize; 2] = [50_000, 200_000];
 
 /// The number of points at which features of a size get ten spacings, within bounds.
 pub(super) fn samples(surface: &Surface, feature: Option<f64>) -> usize {
     let needed = feature.map_or(0.0, |size| surface.area * (SPACINGS / size).powi(2));
-    needed.clamp(FEWEST, MOST) as usize
+    let most = (A_TRIANGLE * surface.triangles.len()).clamp(MOST[0], MOST[1]);
+    needed.clamp(FEWEST, most as f64) as usize
 }
 
 /// The size of the smallest features, local frame; `None` for a surface without sharp edges and borders.

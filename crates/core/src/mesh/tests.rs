@@ -116,6 +116,24 @@ fn small_features_call_for_more_points() {
 }
 
 #[test]
+fn a_mesh_of_few_triangles_gets_few_points_however_small_its_features() {
+    let (vertices, faces) = brick([1.0, 1.0, 1e-6], [0.0; 3]);
+    let surface = Surface::new(&vertices, &faces).unwrap();
+    assert_eq!(features::samples(&surface, features::size(&surface)), 50_000);
+}
+
+#[test]
+fn a_plan_tells_what_sampling_gives() {
+    let (vertices, faces) = brick([3.0, 2.0, 1.0], [0.0; 3]);
+    for points in [MeshPoints::Auto, MeshPoints::Sampled(777), MeshPoints::Vertices] {
+        let sample = sample(&vertices, &faces, points);
+        let found =
+            sample.map(|s| MeshPlan { points: s.points.len(), spacing: s.spacing, feature: s.feature });
+        assert_eq!(plan(&vertices, &faces, points), found);
+    }
+}
+
+#[test]
 fn dense_vertices_stand_for_themselves() {
     let wave = |x: f64, y: f64| (0.1 * x).sin() + (0.1 * y).cos();
     let (vertices, faces) = field(60, wave);

@@ -18,6 +18,9 @@ const MAGIC: [(Format, &[u8]); 8] = [
     (Format::Gltf, gltf::MAGIC),
 ];
 
+/// The byte order mark of UTF-8, which some editors put before text.
+const MARK: &[u8] = b"\xef\xbb\xbf";
+
 const OBJ_KEYWORDS: [&[u8]; 14] =
     [b"v", b"vn", b"vt", b"vp", b"f", b"l", b"p", b"o", b"g", b"s", b"mtllib", b"usemtl", b"cstype", b"deg"];
 
@@ -36,6 +39,9 @@ fn unknown(start: &[u8], named: Option<Format>, name: &str) -> Error {
     let names: Vec<String> = Format::all().iter().map(Format::to_string).collect();
     let known = format!("known formats are {}", names.join(", "));
     let advice = foreign::advice(start).map(String::from).unwrap_or_else(|| match named {
+        Some(_) if start.strip_prefix(MARK).is_some_and(|text| by_magic(text).is_some()) => {
+            "a byte order mark stands before the first word: save the file without it".into()
+        }
         Some(format) => format!("the name suggests {format}, the content does not; {known}"),
         None => known,
     });
@@ -62,7 +68,7 @@ fn stl(start: &[u8], length: Option<u64>, named: Option<Format>) -> Option<Forma
 
 /// Text is recognised by its first statement, without one by its name, and is otherwise a table.
 fn by_text(start: &[u8], named: Option<Format>) -> Option<Format> {
-    let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start);
+    let start = start.strip_prefix(MARK).unwrap_or(start);
     if start.contains(&0) {
         return None;
     }

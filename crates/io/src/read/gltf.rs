@@ -44,6 +44,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     let binary = if packed { binary(source)? } else { None };
     let mut buffers = Buffers::new(source, &document, binary);
     let fault = |found: String| source.fault(Place::Byte(at), found, "the file is damaged, or not whole");
+    let too_many = |faces: u64| limit::beyond(source, options, 0, &format!("{faces} triangles of all nodes"));
     let meshes = accessors(&document);
     for (mesh, transform) in placed(&document).map_err(fault)? {
         let mut firsts = BTreeMap::new();
@@ -62,7 +63,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         }
         if options.mesh.is_some() {
             let room = buffers.room(options, text.capacity()).saturating_sub(24 * out.cloud.len() as u64);
-            faces::append(&document, mesh, &firsts, &mut buffers, room, &mut out)?;
+            faces::append(&document, mesh, &firsts, &mut buffers, (room, &too_many), &mut out)?;
         }
     }
     out.beside = buffers.files();

@@ -8,6 +8,7 @@ use ::parquet::file::metadata::{
 };
 use ::parquet::file::properties::WriterVersion;
 use bytes::Bytes;
+use lineament::mesh::MeshPoints;
 use lineament::{Attribute, Cloud, Column};
 use lineament_io::{PointFormat, PointTable, ReadOptions, write_points_to};
 use std::time::Duration;
@@ -99,6 +100,15 @@ fn parquet_row_groups_that_share_a_page_are_bounded_by_what_they_unpack_to() {
 }
 
 #[test]
+fn a_dictionary_of_one_value_that_stands_for_millions_of_rows_is_refused() {
+    assert_eq!(read(&parquet::constant(50_000), "few.parquet").unwrap().len(), 50_000);
+    let file = parquet::constant(2_500_000);
+    assert!(file.len() < 30_000, "{}", file.len());
+    let message = refusal(&file, "many.parquet");
+    assert!(message.contains("2500000 points that unpack to") && message.contains("--memory"), "{message}");
+}
+
+#[test]
 fn parquet_pages_without_the_rows_are_named() {
     let one = parquet::file(Compression::UNCOMPRESSED, WriterVersion::PARQUET_1_0, false, 10);
     let metadata =
@@ -152,6 +162,29 @@ fn gltf_nodes_times_primitives_are_bounded_by_their_vertices() {
     let sparse = "{\"bufferView\":0,\"componentType\":5126,\"count\":1,\"type\":\"VEC3\",\"sparse\":{\"count\":4,\
         \"indices\":{\"bufferView\":0,\"componentType\":5121},\"values\":{\"bufferView\":0}}}";
     assert!(refusal(&gltf(1, 1, sparse), "sparse.gltf").contains("4 sparse elements of 1"));
+}
+
+#[test]
+fn gltf_primitives_that_share_their_triangles_are_bounded() {
+    // Each a strip of 50,000 triangles from 50,002 bytes, which all of them share.
+    let strip = |primitives: usize| {
+        let primitive = "{\"attributes\":{\"POSITION\":0},\"indices\":1,\"mode\":5}";
+        format!(
+            "{{\"asset\":{{\"version\":\"2.0\"}},\"meshes\":[{{\"primitives\":[{}]}}],\"accessors\":[\
+             {{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"}},\
+             {{\"bufferView\":1,\"componentType\":5121,\"count\":50002,\"type\":\"SCALAR\"}}],\
+             \"bufferViews\":[{{\"buffer\":0,\"byteLength\":48}},{{\"buffer\":1,\"byteLength\":50002}}],\
+             \"buffers\":[{{\"byteLength\":48,\"uri\":\"data:;base64,{}\"}},{{\"byteLength\":50002,\"uri\":\"data:;base64,{}AA==\"}}]}}",
+            vec![primitive; primitives].join(","),
+            "AACAPwAAAEAAAEBA".repeat(4),
+            "AAAA".repeat(16_667)
+        )
+    };
+    let options = ReadOptions { mesh: Some(MeshPoints::Vertices), ..ReadOptions::default() };
+    let read = |primitives: usize| from_bytes(strip(primitives).as_bytes(), "shared.gltf", &options);
+    assert!(read(20).is_ok());
+    let message = read(400).unwrap_err().to_string();
+    assert!(message.contains("triangles of all nodes, beyond the bound"), "{message}");
 }
 
 /// A table of no points with these attributes.

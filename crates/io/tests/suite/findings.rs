@@ -22,6 +22,13 @@ fn a_message_that_lists_fields_stays_short_and_printable() {
 }
 
 #[test]
+fn a_byte_order_mark_before_the_first_word_is_named() {
+    let header = "format ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n";
+    let message = error(format!("\u{feff}ply\n{header}").as_bytes(), "marked.ply");
+    assert!(message.contains("save the file without it"), "{message}");
+}
+
+#[test]
 fn a_binary_stl_without_magic_is_recognised_in_a_pipe_too() {
     let mut stl = vec![0u8; 80];
     stl.extend(2u32.to_le_bytes());

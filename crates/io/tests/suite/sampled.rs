@@ -172,6 +172,20 @@ fn the_vertices_are_there_for_those_who_ask() {
 }
 
 #[test]
+fn a_plan_tells_what_would_be_sampled_and_takes_the_vertices() {
+    for (name, file) in files() {
+        let auto = ReadOptions { mesh: Some(MeshPoints::Auto), plan: true, ..ReadOptions::default() };
+        let found = from_bytes(&file, name, &auto).unwrap();
+        assert_eq!(found.cloud, scan(name, &file, MeshPoints::Vertices).cloud, "{name}");
+        let planned = found.planned.unwrap();
+        assert_eq!((planned.faces, planned.plan.points, found.sampled), (12, 20_000, None), "{name}");
+        // Points are chosen among samples, not among vertices.
+        let chosen = from_bytes(&file, name, &ReadOptions { every: Some(2), ..auto }).unwrap();
+        assert_eq!((chosen.cloud.len(), chosen.planned), (10_000, None), "{name}");
+    }
+}
+
+#[test]
 fn a_sampled_box_has_twelve_creases_and_eight_junctions() {
     let found = scan("box.stl", &stl(), MeshPoints::Auto);
     assert_eq!(found.cloud.len(), 20_000);

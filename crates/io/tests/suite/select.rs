@@ -46,6 +46,13 @@ fn one_point_a_voxel_whatever_their_order() {
 }
 
 #[test]
+fn voxels_finer_than_the_coordinates_are_refused() {
+    let options = ReadOptions { voxel: Some(1e-12), ..Default::default() };
+    let message = from_bytes(b"1e7 0 0\n1e7 1 0\n1e7 0 1\n", "far.xyz", &options).unwrap_err().to_string();
+    assert!(message.contains("finer than coordinates of 10000000"), "{message}");
+}
+
+#[test]
 fn several_inputs_are_one_cloud_with_the_attributes_they_share() {
     let folder = tempfile::tempdir().unwrap();
     let (a, b) = (folder.path().join("a.csv"), folder.path().join("b.csv"));

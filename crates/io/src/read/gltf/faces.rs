@@ -8,17 +8,19 @@ use crate::read::Decoded;
 use crate::read::mesh::NO_VERTEX;
 use std::collections::BTreeMap;
 
-/// Bytes that a triangle takes in memory, at least.
-const TRIANGLE: u64 = 16;
+/// Bytes that a triangle counts for: its own, and the least that sampling takes for it. Any number of primitives and nodes may share
+/// the bytes that a triangle is read from.
+const TRIANGLE: u64 = 48;
 
-/// Appends the triangles of a mesh. `firsts` leads from an accessor of positions to its first vertex. Primitives that hold none,
-/// or whose numbers cannot be read, are counted as one odd face each; beyond `room` bytes nothing more is read.
+/// Appends the triangles of a mesh. `firsts` leads from an accessor of positions to its first vertex. Primitives whose numbers cannot be
+/// read are counted as one odd face each. So many
+/// triangles that they take more than `room` bytes are an error, which `beyond` makes of their number.
 pub(super) fn append(
     document: &Document,
     mesh: usize,
     firsts: &BTreeMap<usize, usize>,
     buffers: &mut Buffers,
-    room: u64,
+    (room, beyond): (u64, &dyn Fn(u64) -> Error),
     out: &mut Decoded,
 ) -> Result<(), Error> {
     for primitive in document.meshes.get(mesh).iter().flat_map(|mesh| &mesh.primitives) {
@@ -26,12 +28,18 @@ pub(super) fn append(
         let place =
             primitive.attributes.position.and_then(|position| Some((position, *firsts.get(&position)?)));
         let (Some((position, first)), 4..=6) = (place, mode) else { continue };
-        if let Some(stated) = primitive.indices.and_then(|index| document.accessors.get(index)) {
+        let indices = primitive.indices.and_then(|index| document.accessors.get(index));
+        if let Some(stated) = indices {
             buffers.load(accessor::views(stated))?;
         }
         let count = document.accessors.get(position).map_or(0, |accessor| accessor.count);
-        let held = TRIANGLE * out.faces.len() as u64;
-        match numbers(document, primitive, count, buffers, room.saturating_sub(held)) {
+        let corners = indices.map_or(count, |indices| indices.count);
+        let more = if mode == 4 { corners / 3 } else { corners };
+        let all = more.saturating_add(out.faces.len() as u64);
+        if all.saturating_mul(TRIANGLE) > room {
+            return Err(beyond(all));
+        }
+        match numbers(document, primitive, count, buffers) {
             Some(numbers) => triangles(&numbers, mode, (first as u64, count), out),
             None => out.odd_faces += 1,
         }
@@ -39,19 +47,10 @@ pub(super) fn append(
     Ok(())
 }
 
-/// The numbers of the vertices of a primitive in their order; `None` if they cannot be read, or take more than `room`.
-fn numbers(
-    document: &Document,
-    primitive: &Primitive,
-    count: u64,
-    buffers: &Buffers,
-    room: u64,
-) -> Option<Vec<u32>> {
-    let Some(index) = primitive.indices else {
-        return (count.saturating_mul(TRIANGLE) <= room).then(|| (0..count as u32).collect());
-    };
-    let stated = document.accessors.get(index)?;
-    (stated.count.saturating_mul(TRIANGLE) <= room).then(|| accessor::numbers(stated, buffers)).flatten()
+/// The numbers of the vertices of a primitive in their order; `None` if they cannot be read.
+fn numbers(document: &Document, primitive: &Primitive, count: u64, buffers: &Buffers) -> Option<Vec<u32>> {
+    let Some(index) = primitive.indices else { return Some((0..count as u32).collect()) };
+    accessor::numbers(document.accessors.get(index)?, buffers)
 }
 
 /// Adds the triangles of a mode. `first` and `count` are those of the vertices that the numbers count.

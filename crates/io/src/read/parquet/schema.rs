@@ -54,7 +54,10 @@ pub(super) fn wanted(
         .collect();
     let names: Vec<String> = columns.iter().map(|(_, column, _)| column.name().to_string()).collect();
     let [Some(x), Some(y), Some(z)] = [0, 1, 2].map(|axis| find_axis(&names, axis)) else {
-        let found = format!("columns of numbers called {}", names.join(", "));
+        let found = match names.as_slice() {
+            [] => format!("no flat column of numbers among {}", schema.num_columns()),
+            _ => format!("columns of numbers called {}", names.join(", ")),
+        };
         return Err(source.fault(Place::Byte(0), found, "three of them must be called x, y and z"));
     };
     let axis_of = |column: usize| [x, y, z].iter().position(|&a| a == column);

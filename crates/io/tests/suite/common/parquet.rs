@@ -43,6 +43,21 @@ pub fn file(codec: Compression, version: WriterVersion, dictionary: bool, rows: 
     writer.into_inner().unwrap()
 }
 
+/// A Parquet file of x, y and z that are 0 in all rows: dictionaries of one value, and runs of it.
+pub fn constant(rows: usize) -> Vec<u8> {
+    let schema = Arc::new(
+        parse_message_type("message m { required float x; required float y; required float z; }").unwrap(),
+    );
+    let mut writer = SerializedFileWriter::new(Vec::new(), schema, Arc::default()).unwrap();
+    let mut group = writer.next_row_group().unwrap();
+    while let Some(mut column) = group.next_column().unwrap() {
+        column.typed::<FloatType>().write_batch(&vec![0.0; rows], None, None).unwrap();
+        column.close().unwrap();
+    }
+    group.close().unwrap();
+    writer.into_inner().unwrap()
+}
+
 /// Every way to pack a column.
 pub fn codecs() -> [Compression; 7] {
     use Compression::{BROTLI, GZIP, LZ4, LZ4_RAW, SNAPPY, UNCOMPRESSED, ZSTD};
