@@ -183,6 +183,7 @@ impl Options {
             bounds: self.bounds,
             format: self.format.map(format).transpose()?,
             mesh: Some(mesh),
+            plan: false,
         })
     }
 }

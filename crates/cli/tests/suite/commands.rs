@@ -338,7 +338,7 @@ fn a_mesh_is_sampled_and_the_summary_says_so() {
         "vertices    8\n",
         "points      20,000, sampled",
         "spacing     0.33",
-        "features    10 and more",
+        "features    6.667 and more",
     ] {
         assert!(told.contains(line), "{line}: {told}");
     }
