@@ -14,8 +14,8 @@ use crate::failure::{Code, Failure};
 use crate::source::{Input, Origin, print};
 use crate::{config, outputs};
 
-/// Greatest number of spacings that lines may be long: they are cut into pieces of a fifth.
-const LONGEST: f64 = 2e7;
+/// Greatest number of spacings that lines may be long: they are cut into pieces of a fifth, some hundred bytes each.
+const LONGEST: f64 = 2e6;
 /// Spacings from a line within which a point is taken as marked by it.
 const MARKED: f64 = 1.0;
 
@@ -177,7 +177,7 @@ fn refuse_long(path: &Path, lines: &Lines, spacing: f64) -> Result<(), Failure> 
     }
     let message = format!("{}: lines of {length} for a spacing of {spacing}", path.display());
     Err(Failure::new(Code::Refused, message)
-        .advise(format!("lines of up to {LONGEST:e} spacings are compared")))
+        .advise(format!("lines of up to {LONGEST:e} spacings are compared: give a greater --spacing")))
 }
 
 /// Whether each point lies within a spacing of a line.

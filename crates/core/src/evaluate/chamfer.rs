@@ -6,10 +6,13 @@
 //! densely either side is written; it is not taken from there.
 
 use super::lines::Lines;
+use super::sides;
 use crate::shapes::{Tree, densify};
 
 /// Distance of the samples, in the coordinates of the measure.
 const STEP: f64 = 0.01;
+/// Most samples of either side.
+const MOST: f64 = 5e6;
 
 /// The two distances.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,11 +26,15 @@ pub struct Chamfer {
 }
 
 impl Chamfer {
-    /// `None` where either side is empty.
+    /// `None` where either side is empty, or so long beside the box of the known lines that it has more than five million samples.
     pub(super) fn of(found: &Lines, known: &Lines) -> Option<Self> {
         let [low, high] = known.bounds()?;
         let half = (0..3).map(|a| high[a] - low[a]).fold(0.0, f64::max) / 2.0;
         if half <= 0.0 {
+            return None;
+        }
+        let length = |lines: &Lines| lines.sharp().map(|l| sides::length(&l.points)).sum::<f64>();
+        if length(found).max(length(known)) > MOST * STEP * half {
             return None;
         }
         let samples = |lines: &Lines| -> Vec<[f64; 3]> {

@@ -39,19 +39,21 @@ impl Graph {
             let Some((&first, &last)) = line.points.first().zip(line.points.last()) else { continue };
             ends.extend([first, if line.closed { first } else { last }]);
         }
-        let tree = kd::Tree::new(&ends);
-        let (mut sets, mut near) = (UnionFind::new(ends.len()), Vec::new());
-        for (i, &end) in ends.iter().enumerate() {
+        // Ends at the very same place count once: thousands of lines may meet there.
+        let (distinct, of) = distinct(&ends);
+        let tree = kd::Tree::new(&distinct);
+        let (mut sets, mut near) = (UnionFind::new(distinct.len()), Vec::new());
+        for (i, &end) in distinct.iter().enumerate() {
             tree.within(end, tolerance, &mut near);
             for &j in &near {
                 sets.union(i as u32, j);
             }
         }
         let mut graph = Self { places: Vec::new(), degrees: Vec::new(), lines: Vec::new() };
-        let mut number = vec![usize::MAX; ends.len()];
+        let mut number = vec![usize::MAX; distinct.len()];
         let nodes: Vec<usize> = (0..ends.len())
             .map(|i| {
-                let root = sets.find(i as u32) as usize;
+                let root = sets.find(of[i]) as usize;
                 if number[root] == usize::MAX {
                     number[root] = graph.places.len();
                     graph.places.push(ends[i]);
@@ -89,5 +91,32 @@ impl Graph {
             ends: self.degrees.iter().filter(|&&d| d == 1).count(),
             cycles: self.lines.len() - joined,
         }
+    }
+}
+
+/// Points that differ in a coordinate, and for each of the points given its number among them.
+fn distinct(points: &[[f64; 3]]) -> (Vec<[f64; 3]>, Vec<u32>) {
+    let by = |a: &[f64; 3], b: &[f64; 3]| (0..3).map(|k| a[k].total_cmp(&b[k])).find(|o| o.is_ne());
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|&a, &b| by(&points[a], &points[b]).unwrap_or(a.cmp(&b)));
+    let (mut distinct, mut of) = (Vec::new(), vec![0; points.len()]);
+    for i in order {
+        if distinct.last() != Some(&points[i]) {
+            distinct.push(points[i]);
+        }
+        of[i] = distinct.len() as u32 - 1;
+    }
+    (distinct, of)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::distinct;
+
+    #[test]
+    fn ends_at_one_place_are_one_point() {
+        let (a, b) = ([1.0, 2.0, 3.0], [1.0, 2.0, 4.0]);
+        assert_eq!(distinct(&[b, a, b, a, a]), (vec![a, b], vec![1, 0, 1, 0, 0]));
+        assert_eq!(distinct(&[]), (vec![], vec![]));
     }
 }

@@ -101,6 +101,8 @@ fn chamfer_and_hausdorff_are_those_of_the_box_of_two() {
     let missing = Chamfer::of(&part, &known).unwrap();
     assert!((missing.hausdorff - 1.0).abs() < 1e-9 && (missing.hd - 0.5).abs() < 1e-9);
     assert_eq!(Chamfer::of(&Lines::default(), &known), None);
+    // Samples as far apart as a speck asks for would be more than memory holds.
+    assert_eq!(Chamfer::of(&known, &square(1e-12)), None);
 }
 
 #[test]
