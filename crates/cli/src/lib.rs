@@ -7,6 +7,7 @@ mod batch;
 mod config;
 mod failure;
 mod interrupt;
+mod memory;
 mod network_file;
 mod outputs;
 mod progress;
@@ -23,6 +24,7 @@ use clap::Parser;
 ///
 /// Takes over Ctrl-C, and ends the process where the command line asks for help or makes no sense.
 pub fn run(words: impl IntoIterator<Item = OsString>) -> u8 {
+    memory::give_back();
     let args = args::Args::try_parse_from(words).unwrap_or_else(|error| args::explained(error).exit());
     match interrupt::install().and_then(|()| run::run(args.command)) {
         Ok(()) => 0,
