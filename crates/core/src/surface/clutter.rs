@@ -8,7 +8,7 @@
 //! that are too small to be surface.
 
 use super::islands::PIECE;
-use super::support::{Plane, supported};
+use super::support::{Demand, Plane, supported};
 use crate::math::union_find::UnionFind;
 use crate::math::vec3::distance;
 use crate::neighbors::Neighbors;
@@ -17,9 +17,11 @@ use crate::resolution::Resolution;
 
 /// Points with fewer others in one plane with them than this have no support.
 const SUPPORT: usize = 8;
-/// Mean distance of a point from its nearest neighbours, relative to the spacing around it, above which half of the counted
-/// neighbours must lie in one plane with it: a plane laid through one point above a face and a few points of that face has
-/// enough for [`SUPPORT`] by chance.
+/// Mean distance of a point from its nearest neighbours, relative to the spacing around it, above which its support must be more
+/// than chance: an upright plane through one point above a noisy face cuts many points of that face.
+const OFF: f32 = 2.0;
+/// The same above which half of the counted neighbours must lie in one plane with it: a plane laid through one point above a face
+/// and a few points of that face has enough for [`SUPPORT`] by chance.
 const FAR: f32 = 3.0;
 const FAR_SUPPORT: usize = 12;
 /// Share of neighbours without support above which a point is in a crowd, and share of neighbours in a crowd above which it
@@ -64,12 +66,16 @@ impl Marks {
         (raw, spacing, gaps): (&[f32], &[f32], &[f32]),
         mean: Resolution,
     ) -> Marks {
-        let held = |enough: &(dyn Fn(usize) -> usize + Sync)| {
-            supported(points, nearest, planes, raw, spacing, mean, enough)
+        let held = |demand: &(dyn Fn(usize) -> Demand + Sync)| {
+            supported(points, nearest, planes, raw, spacing, mean, demand)
         };
-        let bare: Vec<bool> = held(&|_| SUPPORT).iter().map(|s| !s).collect();
+        let bare: Vec<bool> = held(&|_| Demand::Least(SUPPORT)).iter().map(|s| !s).collect();
         let beyond = |i: usize, times: f32| gaps[i] == 0.0 && raw[i] > times * spacing[i];
-        let steady = held(&|i| if beyond(i, FAR) { FAR_SUPPORT } else { 0 });
+        let steady = held(&|i| match i {
+            _ if beyond(i, FAR) => Demand::BeyondChance(FAR_SUPPORT),
+            _ if beyond(i, OFF) => Demand::BeyondChance(SUPPORT),
+            _ => Demand::None,
+        });
         let crowd = where_share(nearest, &bare, CROWD.0);
         let deep = where_share(nearest, &crowd, CROWD.1);
         let reach = raw.iter().zip(spacing).map(|(&r, &s)| LINK * r.max(s)).collect();
@@ -122,15 +128,22 @@ fn where_share(nearest: &Neighbors, marked: &[bool], share: f64) -> Vec<bool> {
     parallel::map(marked.len(), parallel::QUICK, over)
 }
 
-/// The points of crowds that point `i` of a crowd is linked to, and whether it touches points outside of crowds.
+/// The points of its crowd that point `i` of a crowd is linked to, and whether it touches other points.
+///
+/// A link has an end deep in the crowd: the strays of a whole cloud are one crowd otherwise, and whether most of it is deep is
+/// decided by those just above the surface.
 pub(crate) fn links(points: &[[f64; 3]], nearest: &Neighbors, marks: &Marks, i: usize) -> (Vec<u32>, bool) {
-    let Marks { crowd, reach, .. } = marks;
+    let Marks { crowd, deep, reach, .. } = marks;
     let linked = |&j: &u32| {
         let bound = f64::from(reach[i].min(reach[j as usize]));
         distance(points[i], points[j as usize]) <= bound
     };
-    let (others, outside): (Vec<u32>, Vec<u32>) =
-        nearest.of(i).iter().copied().filter(linked).partition(|&j| crowd[j as usize]);
+    let (others, outside): (Vec<u32>, Vec<u32>) = nearest
+        .of(i)
+        .iter()
+        .copied()
+        .filter(linked)
+        .partition(|&j| crowd[j as usize] && (deep[i] || deep[j as usize]));
     (others, !outside.is_empty())
 }
 

@@ -7,10 +7,11 @@
 use crate::math::eigen3::Symmetric3;
 use crate::math::least_axis::least_axis;
 use crate::math::tensor::{centred, correlation, scatter};
-use crate::math::vec3::{add_scaled, dot, sub};
+use crate::math::vec3::{add_scaled, distance2, dot, sub};
 use crate::neighbors::{Found, Index, Neighbors};
 use crate::parallel;
 use crate::resolution::Resolution;
+use std::f64::consts::FRAC_2_PI;
 
 /// Neighbours to which a plane is fitted, and whose planes are tried.
 const FITTED: usize = 8;
@@ -20,6 +21,10 @@ pub(super) const COUNTED: usize = 24;
 pub(super) const NEAR: f64 = 4.0;
 /// Greatest distance from a plane of a point in it: local spacings, or standard deviations of the noise if that is more.
 const IN_PLANE: (f64, f64) = (0.15, 3.0);
+
+/// Standard deviations by which more points lie in a plane than by chance, as the best of nine planes counts, each laid through
+/// some of them.
+const CHANCE: f64 = 5.0;
 
 /// A plane fitted to the neighbourhood of a point.
 #[derive(Clone, Copy, Debug)]
@@ -65,7 +70,47 @@ fn tolerance(spacing: f32, mean: Resolution) -> f64 {
     (IN_PLANE.0 * f64::from(spacing)).max(IN_PLANE.1 * mean.noise)
 }
 
-/// `(N)` whether at least as many of the 24 nearest of every point lie in one plane with it as `enough` says. `spacing` is the
+/// What shows that a point lies on a surface.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Demand {
+    /// Nothing is asked.
+    None,
+    /// That many neighbours in one plane with it.
+    Least(usize),
+    /// That many and more than chance puts there: for a point far from its neighbours, of which an upright plane through it
+    /// cuts many where the noise makes planes thick.
+    BeyondChance(usize),
+}
+
+impl Demand {
+    /// The number of `near`, in order of distance, that must lie within `tolerance` of a plane.
+    fn among(self, near: &[[f64; 3]], tolerance: f64) -> usize {
+        match self {
+            Demand::None => 0,
+            Demand::Least(enough) => enough,
+            Demand::BeyondChance(enough) => {
+                enough.max(by_chance(near.len(), (tolerance / radius(near)).min(1.0)))
+            }
+        }
+    }
+}
+
+/// The radius of a disc in which places vary as much about their centre as these do.
+fn radius(near: &[[f64; 3]]) -> f64 {
+    let share = 1.0 / near.len() as f64;
+    let centre = near.iter().fold([0.0; 3], |sum, &d| add_scaled(sum, d, share));
+    let variance: f64 = near.iter().map(|&d| distance2(d, centre) * share).sum();
+    (2.0 * variance).sqrt()
+}
+
+/// The most of `count` points in a disc that lie within `half` radii of a diameter by chance.
+fn by_chance(count: usize, half: f64) -> usize {
+    let share = FRAC_2_PI * (half * (1.0 - half * half).sqrt() + half.asin());
+    let mean = count as f64 * share;
+    (mean + CHANCE * (mean * (1.0 - share)).sqrt()).ceil() as usize
+}
+
+/// `(N)` whether as many of the 24 nearest of every point lie in one plane with it as `demand` says. `spacing` is the
 /// spacing at each point. Most points have enough in their list of neighbours, so that few need a search.
 pub(super) fn supported(
     points: &[[f64; 3]],
@@ -74,27 +119,31 @@ pub(super) fn supported(
     raw: &[f32],
     spacing: &[f32],
     mean: Resolution,
-    enough: impl Fn(usize) -> usize + Sync,
+    demand: impl Fn(usize) -> Demand + Sync,
 ) -> Vec<bool> {
     let index = Index::build(points);
     let own = |(near, found): &mut (Vec<[f64; 3]>, Vec<Found>), i: usize| {
         let reach = NEAR * f64::from(spacing[i].max(raw[i]));
-        let (tolerance, enough) = (tolerance(spacing[i], mean), enough(i));
-        if enough == 0 {
+        let (tolerance, demand) = (tolerance(spacing[i], mean), demand(i));
+        if matches!(demand, Demand::None) {
             return true;
         }
         let mut gather = |some: &mut dyn Iterator<Item = u32>| {
             near.clear();
             let offsets = some.map(|j| sub(points[j as usize], points[i]));
             near.extend(offsets.take_while(|&d| dot(d, d) <= reach * reach));
+            let enough = demand.among(near, tolerance);
             near.len() >= enough && is_held(points, i, nearest, planes, near, tolerance, enough)
         };
         if gather(&mut nearest.of(i).iter().copied()) {
             return true;
         }
         index.nearest(points[i], COUNTED + 1, found);
-        gather(&mut found.iter().map(|f| f.index).filter(|&j| j as usize != i))
-            || near.len() >= enough && lies_in_layer(near, tolerance, enough)
+        if gather(&mut found.iter().map(|f| f.index).filter(|&j| j as usize != i)) {
+            return true;
+        }
+        let enough = demand.among(near, tolerance);
+        near.len() >= enough && lies_in_layer(near, tolerance, enough)
     };
     parallel::map_with(points.len(), parallel::QUICK, own)
 }
