@@ -31,7 +31,7 @@ pub use outline::{Edge, Outline, gear, polygon, ring, rounded_rectangle, slot};
 pub use parts::*;
 pub use random::Rng;
 pub use samples::{DEFAULT_SAMPLE, Sample, sample, samples};
-pub use sampling::{Gradient, Noise, Sampled, Sampling, Scan};
+pub use sampling::{Gradient, Noise, Sampled, Sampling, Scan, Survey, Surveyed};
 pub use shape::Shape;
 pub use surface::{Axes, FaceSurface};
 pub use truth::{Fold, Truth, TruthCurve, TruthNode};

@@ -4,12 +4,12 @@
 //! The edges of a true narrow face have ends of their own, so that the way round over the other edge is the longer one.
 
 use super::spanning::{Metric, Walker};
-use crate::math::vec3::distance;
+use crate::math::vec3::to_segment;
 use crate::pattern::{LineGraph, Path, paths};
 use crate::surface::Scales;
 
-/// Greatest distance of a handle from the vertices of the line beside it, in spacings.
-const BESIDE: f64 = 1.2;
+/// Greatest distance of a handle from the line beside it: spacings, and standard deviations of the noise besides.
+const BESIDE: (f64, f64) = (1.1, 1.0);
 
 /// Removes each line between two nodes beside which a shorter way leads from one to the other.
 pub(super) fn remove(lines: &mut LineGraph, scales: Scales) {
@@ -35,8 +35,9 @@ pub(super) fn remove(lines: &mut LineGraph, scales: Scales) {
 fn runs_beside(lines: &LineGraph, path: &Path, way: &[u32], scales: Scales) -> bool {
     let place = |v: u32| lines.positions[v as usize];
     path.vertices.iter().all(|&v| {
-        let reach = BESIDE * scales.at(lines.points[v as usize] as usize).spacing;
-        way.iter().any(|&w| distance(place(v), place(w)) <= reach)
+        let scale = scales.at(lines.points[v as usize] as usize);
+        let reach = BESIDE.0 * scale.spacing + BESIDE.1 * scale.noise;
+        way.windows(2).any(|w| to_segment(place(v), place(w[0]), place(w[1])) <= reach)
     })
 }
 

@@ -74,3 +74,10 @@ pub fn perpendicular(a: [f64; 3]) -> [f64; 3] {
     };
     unit(cross(a, axis))
 }
+/// The distance of `p` from the segment between `a` and `b`.
+pub fn to_segment(p: [f64; 3], a: [f64; 3], b: [f64; 3]) -> f64 {
+    let ab = sub(b, a);
+    let length2 = dot(ab, ab);
+    let along = if length2 > 0.0 { (dot(sub(p, a), ab) / length2).clamp(0.0, 1.0) } else { 0.0 };
+    distance(p, add_scaled(a, ab, along))
+}

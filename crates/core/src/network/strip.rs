@@ -30,7 +30,8 @@ pub struct Strip {
     pub fold_deg: Option<f64>,
     /// Mean evidence that the line is sharp rather than round, in variances of the noise; `None` if it is not measured.
     pub evidence: Option<f64>,
-    /// Confidence in the line, from 0 (chance) to 1: one minus the mean penalty share along it.
+    /// Confidence in the line, from 0 (chance) to 1: one minus the mean penalty along a crease, twice the mean open share of a turn
+    /// along a border.
     pub confidence: f64,
     /// `(M, 3)` standard deviation of each of `points` on each axis, in the unit of the input, from the fits of the faces that meet there;
     /// empty where the crease was not recovered from these.

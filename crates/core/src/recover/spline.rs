@@ -58,9 +58,16 @@ pub(super) fn strip(
         fold_deg: fold_deg(lines, path),
         evidence: evidence(lines, path),
         deviation: laid.deviation,
-        confidence: (1.0 - mean(path, |v| lines.penalty[v])).clamp(0.0, 1.0),
+        confidence: confidence(kind, lines, path),
         sigma: Vec::new(),
     }
+}
+
+/// The confidence in a line: one minus its mean penalty. Along a border that is the share of a turn that is open (Gumhold 2001,
+/// equation 8), which half a turn makes certain.
+fn confidence(kind: StripKind, lines: &LineGraph, path: &Path) -> f64 {
+    let certain = if kind == StripKind::Border { 0.5 } else { 1.0 };
+    ((1.0 - mean(path, |v| lines.penalty[v])) / certain).clamp(0.0, 1.0)
 }
 
 /// A curve through places in order.

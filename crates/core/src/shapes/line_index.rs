@@ -2,7 +2,7 @@
 
 use super::nearest::Tree;
 use super::truth::{Truth, TruthCurve};
-use crate::math::vec3::{add_scaled, distance, dot, sub};
+use crate::math::vec3::{add_scaled, distance, sub, to_segment};
 
 /// Polylines cut into pieces no longer than a step, with a tree over the pieces' ends.
 #[derive(Clone, Debug)]
@@ -112,13 +112,6 @@ pub(crate) fn densify(points: &[[f64; 3]], closed: bool, step: f64) -> Vec<[f64;
         out.push(b);
     }
     out
-}
-
-fn to_segment(p: [f64; 3], a: [f64; 3], b: [f64; 3]) -> f64 {
-    let ab = sub(b, a);
-    let length2 = dot(ab, ab);
-    let along = if length2 > 0.0 { (dot(sub(p, a), ab) / length2).clamp(0.0, 1.0) } else { 0.0 };
-    distance(p, add_scaled(a, ab, along))
 }
 
 #[cfg(test)]

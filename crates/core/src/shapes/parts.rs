@@ -12,6 +12,7 @@ mod machined;
 mod pockets;
 mod polyhedron;
 mod revolution;
+mod scenes;
 mod sheets;
 mod walls;
 
@@ -26,5 +27,6 @@ pub use keyed::{dome, keyed_shaft};
 pub use machined::{channel, counterbored_plate, hex_nut, hollow_shaft, slotted_plate, tapered_hub};
 pub use pockets::{pocketed_block, punched_plate};
 pub use revolution::{cone, revolve, sphere, stepped_shaft, torus, tube};
+pub use scenes::{farmyard, plant, room};
 pub use sheets::{bent_sheet, sheet, sheet_with_hole};
 pub use walls::walls;

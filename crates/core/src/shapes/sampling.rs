@@ -4,6 +4,8 @@ mod lattice;
 mod ray;
 mod scan;
 mod scanner;
+mod survey;
 mod uniform;
 
 pub use scan::{Gradient, Noise, Sampled, Sampling, Scan};
+pub use survey::{Survey, Surveyed};

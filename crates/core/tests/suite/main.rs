@@ -13,6 +13,7 @@ mod recovery;
 mod relations;
 mod scales;
 mod scanned;
+mod scenes;
 mod section_axis;
 mod section_degenerate;
 mod section_properties;
