@@ -80,7 +80,7 @@ def lines(program: str, folder: Path) -> Iterator[Line]:
     truth = json.loads((folder / "truth.json").read_text())
     spacing, scene = truth["spacing"], folder.parent.name == "scenes"
     edges = [dense(np.array(e["points"], float), spacing / 3) for e in truth["polylines"] if len(e["points"]) > 1]
-    tree = cKDTree(np.concatenate(edges) if edges else np.full((1, 3), np.inf))
+    tree = cKDTree(np.concatenate(edges) if edges else np.full((1, 3), 1e30))
     near = reach(folder, spacing, scene)
     with tempfile.TemporaryDirectory() as out:
         found = Path(out) / "lines.json"
