@@ -13,7 +13,6 @@ mod recovery;
 mod relations;
 mod scales;
 mod scanned;
-mod scenes;
 mod section_axis;
 mod section_degenerate;
 mod section_properties;

@@ -1,5 +1,7 @@
 //! Clouds as scanners deliver them: clutter, steps of density, rows, noise beyond the spacing.
 
+mod scenes;
+
 use crate::common;
 use lineament::section::{Planes, SectionParams, section};
 use lineament::shapes::Rng;
