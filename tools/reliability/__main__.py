@@ -53,23 +53,19 @@ def dense(points: np.ndarray, step: float) -> np.ndarray:
     return np.concatenate(pieces)
 
 
-def vertices(path: Path) -> np.ndarray:
-    """The points of a binary PLY file whose first properties are the coordinates."""
-    data = path.read_bytes()
-    head, body = data.split(b"end_header\n", 1)
-    words = [line.split() for line in head.decode("ascii").splitlines()]
-    count = next(int(w[2]) for w in words if w[:2] == ["element", "vertex"])
-    kinds = {"float": "<f4", "float32": "<f4", "double": "<f8", "float64": "<f8", "uchar": "u1", "uint8": "u1"}
-    row = np.dtype([(w[2], kinds[w[1]]) for w in words if w[0] == "property" and w[1] != "list"])
-    cloud = np.frombuffer(body, row, count)
-    return np.stack([cloud[axis] for axis in "xyz"], axis=1).astype(float)
+def vertices(program: str, path: Path) -> np.ndarray:
+    """The points of a cloud, as the program reads them."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "points.npz"
+        subprocess.run([program, "clean", path, "-o", out, "--label", "--quiet"], check=True)
+        return np.load(out)["xyz"]
 
 
-def reach(folder: Path, spacing: float, scene: bool):
+def reach(program: str, folder: Path, spacing: float, scene: bool):
     """The distance within which a place is near an edge, as a function of places."""
     if not scene:
         return lambda places: np.full(len(places), NEAR * spacing)
-    points = vertices(folder / "cloud.ply")
+    points = vertices(program, folder / "cloud.ply")
     tree = cKDTree(points)
     own = tree.query(points, 7)[0][:, 1:].mean(axis=1)
     return lambda places: NEAR * np.median(own[tree.query(places, 8)[1]], axis=1)
@@ -81,7 +77,7 @@ def lines(program: str, folder: Path) -> Iterator[Line]:
     spacing, scene = truth["spacing"], folder.parent.name == "scenes"
     edges = [dense(np.array(e["points"], float), spacing / 3) for e in truth["polylines"] if len(e["points"]) > 1]
     tree = cKDTree(np.concatenate(edges) if edges else np.full((1, 3), 1e30))
-    near = reach(folder, spacing, scene)
+    near = reach(program, folder, spacing, scene)
     with tempfile.TemporaryDirectory() as out:
         found = Path(out) / "lines.json"
         subprocess.run([program, "extract", folder / "cloud.ply", "-o", found, "--quiet"], check=True)
