@@ -24,7 +24,7 @@ const IN_PLANE: (f64, f64) = (0.15, 3.0);
 
 /// Standard deviations by which more points lie in a plane than by chance, as the best of nine planes counts, each laid through
 /// some of them.
-const CHANCE: f64 = 4.0;
+const CHANCE: f64 = 5.0;
 
 /// A plane fitted to the neighbourhood of a point.
 #[derive(Clone, Copy, Debug)]
