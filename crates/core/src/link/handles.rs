@@ -75,6 +75,16 @@ mod tests {
     }
 
     #[test]
+    fn a_handle_may_lie_farther_off_by_the_noise() {
+        let left = |noise: f64| {
+            let mut lines = handle(1.3);
+            remove(&mut lines, Resolution { spacing: 1.0, noise }.into());
+            lines.edge_count()
+        };
+        assert_eq!((left(0.0), left(0.3)), (30, 20));
+    }
+
+    #[test]
     fn the_edges_of_a_narrow_face_with_ends_stay() {
         let mut lines = LineGraph::default();
         for [x, y] in [[0, 0], [1, 0], [2, 0], [3, 0], [3, 1], [2, 1], [1, 1], [0, 1]] {

@@ -74,6 +74,7 @@ pub fn perpendicular(a: [f64; 3]) -> [f64; 3] {
     };
     unit(cross(a, axis))
 }
+
 /// The distance of `p` from the segment between `a` and `b`.
 pub fn to_segment(p: [f64; 3], a: [f64; 3], b: [f64; 3]) -> f64 {
     let ab = sub(b, a);

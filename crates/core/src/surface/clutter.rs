@@ -228,6 +228,23 @@ mod tests {
     }
 
     #[test]
+    fn strays_off_a_noisy_face_are_clutter_though_upright_planes_cut_it() {
+        let mut seed = 17;
+        let bell = |seed: &mut u64| (0..12).map(|_| random(seed)).sum::<f64>() - 6.0;
+        let mut points: Vec<[f64; 3]> = (0..80 * 80)
+            .map(|_| [80.0 * random(&mut seed), 80.0 * random(&mut seed), 0.25 * bell(&mut seed)])
+            .collect();
+        let face = points.len();
+        for _ in 0..300 {
+            points.push([80.0 * random(&mut seed), 80.0 * random(&mut seed), 3.0 + 5.0 * random(&mut seed)]);
+        }
+        let found = clutter(&points);
+        let count = |some: &[bool], clutter: bool| some.iter().filter(|&&c| c == clutter).count();
+        let (lost, left) = (count(&found[..face], true), count(&found[face..], false));
+        assert!(lost < face / 200 && left < 30, "{lost} of {face} lost, {left} of 300 left");
+    }
+
+    #[test]
     fn three_points_far_away_are_clutter() {
         let mut points = room(&mut 5);
         points.extend([[1e5, 0.0, 0.0], [0.0, 1e5, 3.0], [1e5, 1e5, 1e5]]);

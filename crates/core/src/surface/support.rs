@@ -83,7 +83,7 @@ pub(super) enum Demand {
 }
 
 impl Demand {
-    /// The number of `near`, in order of distance, that must lie within `tolerance` of a plane.
+    /// The number of `near` that must lie within `tolerance` of a plane.
     fn among(self, near: &[[f64; 3]], tolerance: f64) -> usize {
         match self {
             Demand::None => 0,
