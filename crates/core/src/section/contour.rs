@@ -5,6 +5,7 @@ pub(crate) mod assign;
 pub(crate) mod band;
 pub(crate) mod bridge;
 pub(crate) mod chain;
+pub(crate) mod cut;
 pub(crate) mod end;
 pub(crate) mod join;
 pub(crate) mod link;

@@ -20,6 +20,7 @@ use crate::section::contour::assign::assign;
 use crate::section::contour::band::{Band, Growth, Mark};
 use crate::section::contour::bridge::Support;
 use crate::section::contour::chain::Chain;
+use crate::section::contour::cut::cut;
 use crate::section::contour::tidy::tidy;
 use crate::section::contour::{join, link, node};
 use crate::section::curves::Datum;
@@ -41,8 +42,13 @@ pub(crate) struct Drawn {
     pub data: Vec<Datum>,
 }
 
-/// The outlines of a slab's contours, longest first.
-pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Texture) -> Vec<Drawn> {
+/// The outlines of a slab's contours, longest first, without the stretches at which no place is `near` the cloud.
+pub(crate) fn contours(
+    samples: &[Sample],
+    params: &SectionParams,
+    texture: &Texture,
+    near: &dyn Fn([f64; 2]) -> bool,
+) -> Vec<Drawn> {
     let feet: Vec<[f64; 2]> = samples.iter().map(|s| s.foot).collect();
     let tree = Packed::new(&feet);
     let support = Support { samples, tree: &tree, longest: params.bridge_spacings };
@@ -60,16 +66,17 @@ pub(crate) fn contours(samples: &[Sample], params: &SectionParams, texture: &Tex
     }
     reach::carried_on(samples, &tree, &bands, &mut lines, texture.noise);
     if params.outline == Outline::Middle && params.side == Side::Middle {
-        let mut drawn = drawn(&bands, lines);
+        let mut drawn = drawn(&bands, lines, near);
         if params.fit {
             along(samples, &nodes.owners, &mut drawn);
         }
         return drawn;
     }
     free.fill(true);
-    let bands = assign(samples, &nodes.owners, &free, lines.into_iter().filter(drawable).collect());
+    let lines = lines.into_iter().flat_map(|line| cut(line, near)).filter(drawable).collect();
+    let bands = assign(samples, &nodes.owners, &free, lines);
     let outlines = bands.iter().map(|b| outline(b, params)).collect();
-    drawn(&bands, outlines)
+    drawn(&bands, outlines, &|_| true)
 }
 
 /// Draws the contours that are open once more, through the samples that no closed one has: smooth ends look the right
@@ -95,10 +102,11 @@ fn drawable(chain: &Chain) -> bool {
     chain.vertices.len() > 2
 }
 
-fn drawn(bands: &[Band], chains: Vec<Chain>) -> Vec<Drawn> {
-    let both = bands.iter().zip(chains).filter(|(_, chain)| drawable(chain));
+fn drawn(bands: &[Band], chains: Vec<Chain>, near: &dyn Fn([f64; 2]) -> bool) -> Vec<Drawn> {
+    let pieces = |(band, chain)| cut(chain, near).into_iter().map(move |piece| (band, piece));
+    let both = bands.iter().zip(chains).flat_map(pieces).filter(|(_, chain)| drawable(chain));
     let mut drawn: Vec<Drawn> =
-        both.map(|(band, chain)| Drawn { growth: band.growth(), chain, data: Vec::new() }).collect();
+        both.map(|(band, chain)| Drawn { growth: Band::growth(band), chain, data: Vec::new() }).collect();
     drawn.sort_by_cached_key(|d| std::cmp::Reverse(d.chain.length().to_bits()));
     drawn
 }

@@ -5,5 +5,6 @@ pub(crate) mod axis;
 pub(crate) mod direction;
 mod level;
 pub(crate) mod planes;
+mod reach;
 pub(crate) mod slabs;
 pub(crate) mod slicer;

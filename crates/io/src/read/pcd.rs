@@ -33,20 +33,21 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         }
     };
     let mut table = Table::new(axes, attributes, if header.data == Data::Compressed { 0 } else { room });
+    let mut extra = 0;
     let rows = match header.data {
         Data::Ascii => body::ascii(source, &header, &mut table, options.salvage)?,
         Data::Binary => {
             let fields: Vec<_> = header.fields.iter().map(|field| field.place).collect();
             table.read(source, header.points, header.stride(), &fields, Endian::Little)?
         }
-        Data::Compressed => body::compressed(source, &header, &mut table, room)?,
+        Data::Compressed => body::compressed(source, &header, &mut table, room, &mut extra)?,
     };
     out.cloud = table.into_cloud();
     if rows < header.points {
         out.cut(source, options, "points", header.points, rows)?;
     }
     out.cloud.attributes = out.cloud.attributes.into_iter().flat_map(colours).collect();
-    note_rest(source, &header, &mut out)?;
+    note_rest(source, &header, extra, &mut out)?;
     Ok(out)
 }
 
@@ -69,7 +70,7 @@ fn colours(attribute: Attribute) -> Vec<Attribute> {
     channels
 }
 
-fn note_rest(source: &mut Source, header: &Header, out: &mut Decoded) -> Result<(), Error> {
+fn note_rest(source: &mut Source, header: &Header, extra: u64, out: &mut Decoded) -> Result<(), Error> {
     if out.missing.is_some() {
         return Ok(());
     }
@@ -78,7 +79,7 @@ fn note_rest(source: &mut Source, header: &Header, out: &mut Decoded) -> Result<
         out.warnings.extend(source.open_end());
         return Ok(());
     }
-    let extra = source.drain()?;
+    let extra = extra + source.drain()?;
     rows::note_extra(extra, header.stride() as u64, "point", out);
     Ok(())
 }

@@ -179,6 +179,24 @@ fn what_unpacks_beyond_the_bound_is_refused_and_the_bound_can_be_raised() {
 }
 
 #[test]
+fn packed_bytes_that_are_announced_and_missing_are_refused_in_a_file_and_in_a_pipe() {
+    let mut file = compressed();
+    let sizes = file.windows(11).position(|w| w == b"compressed\n").unwrap() + 11;
+    let packed = u32::from_le_bytes(file[sizes..sizes + 4].try_into().unwrap());
+    file[sizes..sizes + 4].copy_from_slice(&(packed + 9).to_le_bytes());
+    for read in [from_bytes, from_pipe] {
+        let error = read(&file, "cut.pcd", &options()).unwrap_err().to_string();
+        assert!(error.contains("the input ends early"), "{error}");
+    }
+    file.extend([0; 9]);
+    // Fewer bytes than a row has, which are told with what is left out.
+    for read in [from_bytes, from_pipe] {
+        let scan = read(&file, "longer.pcd", &options()).unwrap();
+        assert!(scan.ignored.iter().any(|i| i.contains("9 bytes after the last")), "{:?}", scan.ignored);
+    }
+}
+
+#[test]
 fn files_of_the_library_itself_read_whole() {
     for (name, count) in
         [("formats/pcl_lamppost_ascii.pcd", 1771), ("formats/pcl_samp21_bincompressed.pcd", 12960)]

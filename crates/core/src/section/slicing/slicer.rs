@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use super::planes::{self, Cut};
+use super::reach::Reach;
 use super::slabs::Slabs;
 use super::{adaptive, direction, level};
 use crate::error::Error;
@@ -138,7 +139,11 @@ impl<'a> Slicer<'a> {
 
     fn section(&self, slab: &[u32], planes: &TangentPlanes, place: Place) -> Section {
         let (points, samples) = self.samples(slab, planes, place.local);
-        let chains = outline::contours(&samples, self.params, &self.texture);
+        let reach = Reach::new(self.index, &self.local.positions, self.texture.spacing);
+        // Within a given thickness all points count, however far they lie from the plane.
+        let all = self.params.thickness != Auto::Auto;
+        let near = |at: [f64; 2]| all || reach.covers(self.frame.vector([at[0], at[1], place.local]));
+        let chains = outline::contours(&samples, self.params, &self.texture, &near);
         let missing = match (points, chains.len()) {
             (0, _) => Some(Missing::Empty),
             (n, 0) if n < FEWEST_POINTS => Some(Missing::TooFewPoints(n)),

@@ -59,12 +59,14 @@ fn parse_row(line: &[u8], header: &Header, values: &mut [f64]) -> Result<(), Str
 /// Bytes unpacked at a time; a multiple of every number's size.
 const CHUNK: usize = 1 << 16;
 
-/// Reads compressed columns, which come one after the other: all x, then all y, ... Gives how many rows are whole.
+/// Reads compressed columns, which come one after the other: all x, then all y, ... Gives how many rows are whole, and adds to
+/// `extra` the packed bytes that no row needs.
 pub(super) fn compressed(
     source: &mut Source,
     header: &Header,
     table: &mut Table,
     room: usize,
+    extra: &mut u64,
 ) -> Result<u64, Error> {
     let sizes = source.peek(8)?;
     let Some(&[a, b, c, d, e, f, g, h]) = sizes.first_chunk() else { return Ok(0) };
@@ -87,6 +89,15 @@ pub(super) fn compressed(
             return Ok(0);
         }
     }
+    // A pipe shows only now that it ends before its columns do.
+    let left = lzf.left();
+    let unused = source.skip(left)?;
+    if unused < left {
+        table.positions.clear();
+        table.level();
+        return Ok(0);
+    }
+    *extra = unused;
     Ok(header.points)
 }
 

@@ -31,6 +31,11 @@ impl<'a> Lzf<'a> {
         Self { source, left: packed, window: vec![0; WINDOW], done: 0, pending: Pending::Literals(0) }
     }
 
+    /// Packed bytes left.
+    pub fn left(&self) -> u64 {
+        self.left
+    }
+
     /// Fills `out`; `false` if the packed bytes end before.
     pub fn unpack(&mut self, out: &mut [u8]) -> Result<bool, Error> {
         let mut filled = 0;
