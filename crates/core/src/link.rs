@@ -1,8 +1,9 @@
 //! Linkers: from the penalties of the points to graphs of lines.
 //!
 //! As printed: `spanning` (Gumhold 2001, sections 3.2 and 3.3) and `clusters` (Demarsin et al. 2007). Ours: `repair`, which
-//! both call in their robust forms, `flat`, `chains`, `handles`, `triples` and `passing`.
+//! both call in their robust forms, `beside`, `flat`, `chains`, `handles`, `triples` and `passing`.
 
+mod beside;
 mod chains;
 pub(crate) mod clusters;
 mod flat;
@@ -13,6 +14,7 @@ mod repair;
 mod spanning;
 mod triples;
 
+pub(crate) use beside::unborder;
 pub(crate) use chains::Known;
 pub(crate) use lines::link;
 pub(crate) use spanning::{CycleRule, Metric};

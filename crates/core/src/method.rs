@@ -87,6 +87,7 @@ pub(crate) fn link(
                 link::link(&cloud.graph, measure, cloud.scales(), params, rule, &known(cloud, params));
             if params.method == Method::Auto && params.penalty.form == PenaltyForm::Robust {
                 close_rings(&mut pattern.crease, &cloud.positions, cloud.scales());
+                link::unborder(&mut pattern, cloud.scales());
             }
             (pattern, None)
         }

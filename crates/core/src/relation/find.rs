@@ -19,6 +19,9 @@ use std::collections::BTreeSet;
 /// Most curves of one joint that are compared with each other.
 const CROWD: usize = 8;
 
+/// Standard deviation of a radius, as a share of it, beyond which an arc is in no relation.
+const OPEN: f64 = 0.05;
+
 /// The relations as found.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
@@ -47,7 +50,7 @@ pub(crate) fn find(
     for (s, curves) in observed.iter().enumerate() {
         let mut row = Vec::new();
         for (c, seen) in curves.iter().enumerate() {
-            let seen = seen.filter(|s| s.covariance.iter().flatten().all(|x| x.is_finite()));
+            let seen = seen.filter(|s| s.covariance.iter().flatten().all(|x| x.is_finite()) && is_known(s));
             row.push(seen.map(|_| features.len()));
             let member = Member { strip: s as u32, curve: c as u32 };
             features.extend(seen.map(|seen| Feature::new(member, seen, spacing[s])));
@@ -75,6 +78,11 @@ pub(crate) fn find(
     let (radii, tangents) = (radii(&features, half(&drawn), least), tangents(&features, &meetings, least));
     let mirrors = mirrors(&features, &drawn, &classes, widest);
     Found { features, of, joints, classes, right, planes, axes, radii, tangents, mirrors }
+}
+
+/// Whether the points of a curve determine it: of a short arc they leave radius and centre open together.
+fn is_known(seen: &Observed) -> bool {
+    seen.round().is_none_or(|round| seen.covariance[4][4].sqrt() <= OPEN * round.radius)
 }
 
 /// Half the greatest extent of the curves: the greatest radius that a part has room for.

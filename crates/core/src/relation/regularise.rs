@@ -38,7 +38,7 @@ pub(crate) fn regularise(
     let (mut released, mut unseen) = (BTreeSet::new(), BTreeSet::new());
     for _ in 0..ROUNDS {
         let imposed = Imposed::of(found, &released);
-        let layout = Layout::new(found, &imposed, network);
+        let layout = Layout::new(found, &imposed, &unseen, network);
         let system = System { found, imposed: &imposed, layout: &layout, doubt: &doubt, unseen: &unseen };
         let solved = solve::solve(&system);
         let offenders = judge::offenders(&system, solved.as_deref());
@@ -47,8 +47,15 @@ pub(crate) fn regularise(
             return (kept(found, &released), Regularised { released: members(found, &released), ..moved });
         }
         let before = (released.len(), unseen.len());
-        // Where conditions contradict each other, the less sure half goes.
-        let offenders = if solved.is_some() { offenders } else { unsure(found, offenders) };
+        // Where there is no solution, arcs in no relation go along with their ends first: how far they bend may be what has none.
+        // Then the less sure half goes.
+        let offenders = match solved {
+            Some(_) => offenders,
+            None => match free_arcs(found, &imposed, &unseen) {
+                arcs if arcs.is_empty() => unsure(found, offenders),
+                arcs => arcs,
+            },
+        };
         for i in offenders {
             if !imposed.has(i) || !released.insert(i) {
                 unseen.insert(i);
@@ -61,6 +68,12 @@ pub(crate) fn regularise(
     let curves = network.strips.iter().map(|s| vec![0.0; s.curves.len()]).collect();
     let none = Regularised { nodes: vec![0.0; network.nodes.len()], curves, released: Vec::new() };
     (found.relations(), none)
+}
+
+/// Arcs and circles that no relation holds and whose own points still do.
+fn free_arcs(found: &Found, imposed: &Imposed, unseen: &BTreeSet<usize>) -> Vec<usize> {
+    let free = |i: &usize| found.features[*i].round().is_some() && !imposed.has(*i) && !unseen.contains(i);
+    (0..found.features.len()).filter(free).collect()
 }
 
 /// The half of features whose directions are known least.

@@ -5,6 +5,7 @@ use super::imposed::Imposed;
 use crate::curve::pieces::Shape;
 use crate::math::vec3::{dot, scale};
 use crate::network::Network;
+use std::collections::BTreeSet;
 
 /// The first of the unknowns of each kind, and where they begin.
 #[derive(Clone, Debug)]
@@ -43,7 +44,7 @@ impl Layout {
         at
     }
 
-    pub(super) fn new(found: &Found, imposed: &Imposed, network: &Network) -> Self {
+    pub(super) fn new(found: &Found, imposed: &Imposed, unseen: &BTreeSet<usize>, network: &Network) -> Self {
         let n = found.features.len();
         let mut layout = Self {
             joint: Vec::new(),
@@ -61,7 +62,7 @@ impl Layout {
             layout.joint.push(at);
         }
         layout.directions(found, imposed);
-        layout.rounds(found, imposed);
+        layout.rounds(found, imposed, unseen);
         for (class, members) in &imposed.planes {
             let heights = members.iter().map(|&i| dot(found.features[i].at, found.classes[*class].direction));
             let mean = heights.sum::<f64>() / members.len() as f64;
@@ -95,7 +96,8 @@ impl Layout {
         }
     }
 
-    fn rounds(&mut self, found: &Found, imposed: &Imposed) {
+    /// Arcs that are in no relation and not observed go along with their ends: nothing would say how far they bend.
+    fn rounds(&mut self, found: &Found, imposed: &Imposed, unseen: &BTreeSet<usize>) {
         for (members, _) in imposed.axes.iter().filter(|a| a.1) {
             let sum = members.iter().fold([0.0; 3], |s, &i| crate::math::vec3::add(s, found.features[i].at));
             let at = self.push(&scale(sum, 1.0 / members.len() as f64));
@@ -108,7 +110,9 @@ impl Layout {
             members.iter().for_each(|&i| self.radius[i] = Some(at));
         }
         for (i, feature) in found.features.iter().enumerate() {
-            let Some(round) = feature.round() else { continue };
+            let Some(round) = feature.round().filter(|_| imposed.has(i) || !unseen.contains(&i)) else {
+                continue;
+            };
             if self.direction[i].is_none() {
                 self.direction[i] = Some((self.push_direction(feature.direction), 1.0));
             }

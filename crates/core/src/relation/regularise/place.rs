@@ -90,16 +90,20 @@ fn stretch(ellipse: Ellipse, from: [f64; 3], to: [f64; 3]) -> Shape {
     Shape::Ellipse { ellipse, sweep: ellipse.sweep_between(from, to) }
 }
 
-/// The greatest distance of a piece's ends, its middle and its centre from where they were.
+/// The greatest distance of a piece's ends, and of the middle of an arc or the centre and the radius of a circle, from where they were.
+/// How far the centre of an arc moves says little of the arc.
 fn shift(old: &Piece, new: &Piece) -> f64 {
-    let mut greatest = distance(old.from, new.from).max(distance(old.to, new.to));
+    let ends = distance(old.from, new.from).max(distance(old.to, new.to));
     match (&old.shape, &new.shape) {
-        (Shape::Arc { round: a, .. }, Shape::Arc { round: b, .. }) | (Shape::Circle(a), Shape::Circle(b)) => {
-            greatest = greatest.max(distance(a.centre, b.centre)).max((a.radius - b.radius).abs());
+        (Shape::Arc { round: a, sweep: s }, Shape::Arc { round: b, sweep: t }) => {
+            let middle = |round: &Round, from, sweep| round.samples(from, sweep, 3)[1];
+            ends.max(distance(middle(a, old.from, *s), middle(b, new.from, *t)))
         }
-        _ => {}
+        (Shape::Circle(a), Shape::Circle(b)) => {
+            ends.max(distance(a.centre, b.centre)).max((a.radius - b.radius).abs())
+        }
+        _ => ends,
     }
-    greatest
 }
 
 /// The points of a strip on its curves, and the spline through them.

@@ -12,6 +12,12 @@ const STIFF: f64 = 1e4;
 const RIDGE: f64 = 1e-10;
 /// Most steps.
 const STEPS: usize = 40;
+/// Least share of a step that is taken: a full one may go round in a circle where conditions bend.
+const SHORTEST: f64 = 1.0 / 64.0;
+/// Share by which the sum may rise: rounding.
+const SAME: f64 = 1e-9;
+/// Times that a step is led back to the conditions.
+const BENDS: usize = 2;
 /// What a condition may lack, relative to the size of the network.
 const REST: f64 = 1e-13;
 /// Step, relative to that size, at which the fit has come to rest.
@@ -46,10 +52,6 @@ pub(super) fn solve(system: &System) -> Option<Vec<f64>> {
         }
         matrix.solve(&mut right);
         let step: Vec<f64> = place.iter().map(|&p| right[p]).collect();
-        for (c, m) in conditions.iter().zip(&mut multipliers) {
-            let change: f64 = c.terms.iter().map(|t| t.1 * step[t.0]).sum();
-            *m += stiff * (c.residual + change);
-        }
         let greatest = step.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
         if !greatest.is_finite() {
             return None;
@@ -57,11 +59,58 @@ pub(super) fn solve(system: &System) -> Option<Vec<f64>> {
         if greatest <= STILL * size && lacks <= REST * size {
             return Some(x);
         }
-        x.iter_mut().zip(&step).for_each(|(x, s)| *x += s);
-        system.settle(&mut x);
+        let pull = |x: &[f64]| pull(system, x, &multipliers, stiff);
+        let bent = |x: Vec<f64>| bent_back(system, x, &conditions, &place, &matrix, stiff);
+        let (before, mut share) = (pull(&x), 1.0);
+        let mut next = bent(moved(system, &x, &step, share));
+        while pull(&next) > before + SAME * before.abs() && share > SHORTEST {
+            share *= 0.5;
+            next = bent(moved(system, &x, &step, share));
+        }
+        for (c, m) in conditions.iter().zip(&mut multipliers) {
+            let change: f64 = c.terms.iter().map(|t| t.1 * step[t.0]).sum();
+            *m += stiff * (c.residual + share * change);
+        }
+        x = next;
     }
     let lacks = lacking(&system.conditions(&x));
     (lacks <= ROUNDING * REST * size).then_some(x)
+}
+
+/// The unknowns after a share of a step.
+fn moved(system: &System, x: &[f64], step: &[f64], share: f64) -> Vec<f64> {
+    let mut next: Vec<f64> = x.iter().zip(step).map(|(x, s)| x + share * s).collect();
+    system.settle(&mut next);
+    next
+}
+
+/// The unknowns after a step, led back to the conditions along which it was straight.
+fn bent_back(
+    system: &System,
+    mut x: Vec<f64>,
+    conditions: &[Row],
+    place: &[usize],
+    matrix: &Sparse,
+    stiff: f64,
+) -> Vec<f64> {
+    for _ in 0..BENDS {
+        let mut right = vec![0.0; x.len()];
+        for (old, new) in conditions.iter().zip(system.conditions(&x)) {
+            old.terms.iter().for_each(|&(a, slope)| right[place[a]] -= slope * stiff * new.residual);
+        }
+        matrix.solve(&mut right);
+        let step: Vec<f64> = place.iter().map(|&p| right[p]).collect();
+        x = moved(system, &x, &step, 1.0);
+    }
+    x
+}
+
+/// The sum that steps make less: half the squares of the observations, and the conditions by their multipliers and their weight.
+fn pull(system: &System, x: &[f64], multipliers: &[f64], stiff: f64) -> f64 {
+    let seen: f64 = system.observations(x).iter().map(|r| r.residual * r.residual).sum();
+    let conditions = system.conditions(x);
+    let held = conditions.iter().zip(multipliers).map(|(c, m)| c.residual * (m + 0.5 * stiff * c.residual));
+    0.5 * seen + held.sum::<f64>()
 }
 
 /// The greatest of what conditions lack.
