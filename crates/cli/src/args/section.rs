@@ -91,7 +91,7 @@ pub struct Slicing {
     )]
     pub at: Option<Vec<f64>>,
     /// Place that the positions of --at are counted from: the origin of the input, its lowest point along the axis, or the floor, which is
-    /// the lowest large face across it [default: origin]
+    /// the lowest large face across it with little of the surface below, and the lowest point where there is none [default: origin]
     #[arg(long, value_name = "origin|lowest|floor", value_parser = parse::parameter::<Zero>)]
     pub from: Option<Zero>,
     /// Start with this many slices, split them where neighbours differ and merge them where they are alike

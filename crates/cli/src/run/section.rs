@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use lineament::section::SectionParams;
+use lineament::section::{SectionParams, Zero};
 use lineament_io::{
     LasFrame, Report, SectionContext, SectionFormat, section_format, write_report, write_sections,
 };
@@ -70,6 +70,9 @@ fn one(
         })?;
     }
     let mut lines = said(&args.running, &input, &sections, &context.stack);
+    if params.from == Zero::Floor && sections.zero.0 != Zero::Floor {
+        lines.push("warning: no floor: no large level face with little of the surface below it".into());
+    }
     lines.extend(summary::unplaced(&input, outputs));
     lines.push(format!("{:.2} s", start.elapsed().as_secs_f64()));
     lines.push(summary::written(outputs));

@@ -60,6 +60,16 @@ fn positions_count_from_the_floor_where_that_is_asked_for() {
 }
 
 #[test]
+fn walls_without_a_floor_are_counted_from_their_lowest_point_and_that_is_said() {
+    let sandbox = Sandbox::new();
+    let walls: Vec<[f64; 3]> = house().into_iter().filter(|p| (100.3..102.7).contains(&p[2])).collect();
+    sandbox.write_points("walls.xyz", &walls);
+    let ran = sandbox.run(&["section", "walls.xyz", "--at=1", "--from", "floor", "-o", "a.json"]).expect(0);
+    ran.says(&["no floor", "from the lowest point"]);
+    assert_eq!(json(&sandbox.path("a.json"))["from"], "lowest");
+}
+
+#[test]
 fn the_ridge_is_drawn_above_the_eaves_and_to_scale() {
     let sandbox = Sandbox::new();
     sandbox.write_points("house.xyz", &house());
