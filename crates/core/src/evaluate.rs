@@ -8,6 +8,7 @@ mod isomorphism;
 mod lines;
 mod marks;
 mod rounded;
+mod samples;
 mod score;
 mod sides;
 mod stretches;

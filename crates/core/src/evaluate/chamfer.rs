@@ -6,8 +6,8 @@
 //! densely either side is written; it is not taken from there.
 
 use super::lines::Lines;
-use super::sides;
-use crate::shapes::{Tree, densify};
+use super::{samples, sides};
+use crate::shapes::Tree;
 
 /// Distance of the samples, in the coordinates of the measure.
 const STEP: f64 = 0.01;
@@ -38,7 +38,7 @@ impl Chamfer {
             return None;
         }
         let samples = |lines: &Lines| -> Vec<[f64; 3]> {
-            lines.sharp().flat_map(|l| densify(&l.points, l.closed, STEP * half)).collect()
+            lines.sharp().flat_map(|l| samples::samples(&l.points, l.closed, STEP * half)).collect()
         };
         let (found, known) = (samples(found), samples(known));
         let [mean_a, max_a] = directed(&found, &known, half)?;

@@ -1,8 +1,9 @@
 //! Both sides of a comparison cut into short pieces, with the distances between them.
 
 use super::lines::{Line, LineKind, Lines};
+use super::samples::samples;
 use crate::math::vec3::distance;
-use crate::shapes::{Tree, densify};
+use crate::shapes::Tree;
 
 /// Spacings around a weak line within which what is found counts neither way.
 const BESIDE_WEAK: f64 = 2.0;
@@ -39,8 +40,10 @@ pub(super) struct Row<'a> {
 }
 
 impl Row<'_> {
+    /// The length of the line as it is written.
     pub fn length(&self) -> f64 {
-        length(&self.points)
+        let ends = self.line.points.first().zip(self.line.points.last()).filter(|_| self.line.closed);
+        length(&self.line.points) + ends.map_or(0.0, |(a, b)| distance(*a, *b))
     }
 }
 
@@ -62,7 +65,7 @@ pub(super) struct Sides<'a> {
 
 impl<'a> Sides<'a> {
     pub fn new(found: &'a Lines, known: &'a Lines, scoring: &'a Scoring<'a>) -> Self {
-        let row = |line: &'a Line| Row { line, points: densify(&line.points, line.closed, scoring.step()) };
+        let row = |line: &'a Line| Row { line, points: samples(&line.points, line.closed, scoring.step()) };
         let rows = |lines: &'a Lines| lines.sharp().map(row).collect::<Vec<Row>>();
         let tree =
             |rows: &[Row]| Tree::new(&rows.iter().flat_map(|r| &r.points).copied().collect::<Vec<_>>());

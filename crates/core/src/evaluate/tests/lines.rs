@@ -181,3 +181,26 @@ fn marks_are_judged_in_each_reading_of_the_labels() {
     assert_eq!(marks(&[false; 8], &labels)[0].mcc, 0.0);
     assert_eq!(marks(&labels.map(|l| l == 1), &labels)[0].mcc, 1.0);
 }
+
+#[test]
+fn a_line_counts_by_its_length_however_densely_it_is_written() {
+    let known = Lines { lines: vec![line(&[[0.0; 3], [10.0, 0.0, 0.0]])], ..Lines::default() };
+    let row = |count: u32, length: f64, y: f64| {
+        let at = |i: u32| [length * f64::from(i) / f64::from(count), y, 0.0];
+        line(&(0..=count).map(at).collect::<Vec<_>>())
+    };
+    for (right, wrong) in [(1, 1), (1, 1000), (4000, 1), (4000, 1000)] {
+        let lines = vec![row(right, 10.0, 0.0), row(wrong, 1.0, 5.0)];
+        let found = Lines { lines, ..Lines::default() };
+        let score = score(&found, &known, &Scoring::new(0.1));
+        assert!((score.at_1h.precision - 10.0 / 11.0).abs() < 0.002, "{right} {wrong} {score:?}");
+        assert!((score.length_spacings - 110.0).abs() < 1e-6);
+        // The same the other way round: the line of one is missed.
+        let back = recall_of(&known, &found);
+        assert!((back - 10.0 / 11.0).abs() < 0.002, "{right} {wrong} {back}");
+    }
+}
+
+fn recall_of(found: &Lines, known: &Lines) -> f64 {
+    score(found, known, &Scoring::new(0.1)).at_1h.recall
+}
