@@ -271,6 +271,7 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
     if !asked.attributes {
         cloud.attributes.clear();
     }
+    warnings.extend(detect::misnamed(&name, format).filter(|_| options.format.is_none()));
     warnings.extend(steps::warnings(&cloud));
     let (sha256, bytes) = (source.sha256(), source.offset());
     Ok(Scan {

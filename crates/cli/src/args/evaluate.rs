@@ -33,7 +33,7 @@ More examples:
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
 pub struct Evaluate {
-    /// Lines to score; without --truth marks of points, as `classify` writes them (.npy), as bytes (.u8) or as text
+    /// Lines to score; without --truth marks of points: the classes that `classify` wrote (.npy, .npz, .ply, ...), bytes (.u8) or text
     #[arg(value_name = "RESULT", value_hint = ValueHint::FilePath)]
     pub result: PathBuf,
     /// The known lines, or those of another run
@@ -42,7 +42,7 @@ pub struct Evaluate {
     /// The scan of both: for the picture, and for the spacing where no file states it
     #[arg(long, value_name = "SCAN", value_hint = ValueHint::FilePath, requires = "truth")]
     pub points: Option<PathBuf>,
-    /// A label for each point of the scan: 1 on an edge, 2 near one, 3 neither way, 0 else (.u8, .npy or text). Lines found beside
+    /// A label for each point of the scan: 1 on an edge, 2 near one, 3 neither way, 0 else (.u8, .npy or text, or a column `class`). Lines found beside
     /// points of label 3 count neither for nor against
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub labels: Option<PathBuf>,

@@ -3,7 +3,7 @@
 use super::{expe, foreign, gltf, npy, off, parquet, ptx, raster, stl};
 use crate::error::Error;
 use crate::format::Format;
-use crate::number::{shown, tokens};
+use crate::number::{parse, shown, tokens};
 use std::path::Path;
 
 /// First bytes of formats that have them.
@@ -35,9 +35,16 @@ pub(super) fn detect(start: &[u8], length: Option<u64>, name: &str) -> Result<Fo
     found.ok_or_else(|| unknown(start, named, name))
 }
 
+/// What to say of an input that is read as a table though its name suggests another format.
+pub(super) fn misnamed(name: &str, format: Format) -> Option<String> {
+    let named = Path::new(name).extension().and_then(|e| e.to_str()).and_then(Format::parse)?;
+    let other = format == Format::Table && named != Format::Table;
+    other.then(|| format!("the name suggests {named}; the content is a table of numbers, and read as one"))
+}
+
 fn unknown(start: &[u8], named: Option<Format>, name: &str) -> Error {
     let names: Vec<String> = Format::all().iter().map(Format::to_string).collect();
-    let known = format!("known formats are {}", names.join(", "));
+    let known = format!("known formats are {}; --input-format says which it is", names.join(", "));
     let advice = foreign::advice(start).map(String::from).unwrap_or_else(|| match named {
         Some(_) if start.strip_prefix(MARK).is_some_and(|text| by_magic(text).is_some()) => {
             "a byte order mark stands before the first word: save the file without it".into()
@@ -87,7 +94,28 @@ fn by_text(start: &[u8], named: Option<Format>) -> Option<Format> {
         Some(word) if raster::begins(word) => Some(Format::Raster),
         None if named == Some(Format::Obj) => Some(Format::Obj),
         Some(_) if named == Some(Format::Off) => Some(Format::Off),
-        Some(_) if named.is_some_and(|format| format != Format::Table && format != Format::Obj) => None,
+        Some(_) if named.is_some_and(|format| format != Format::Table && format != Format::Obj) => {
+            is_clean_table(start).then_some(Format::Table)
+        }
         _ => Some(Format::Table),
     }
+}
+
+/// Whether all lines are rows of as many numbers, three at least, but for comments and a first line, which may name the columns.
+fn is_clean_table(start: &[u8]) -> bool {
+    let lines = start.split(|&b| b == b'\n' || b == b'\r').map(<[u8]>::trim_ascii);
+    let mut lines: Vec<&[u8]> = lines.filter(|line| !line.is_empty() && !line.starts_with(b"#")).collect();
+    if lines.len() > 3 && !start.ends_with(b"\n") {
+        // It may go on behind what was looked at.
+        lines.pop();
+    }
+    let numbers = |line: &&[u8]| {
+        let fields = line.split(|b| b.is_ascii_whitespace() || b",;".contains(b));
+        let mut values = fields.filter(|field| !field.is_empty()).map(parse);
+        values.try_fold(0usize, |count, value| value.map(|_| count + 1))
+    };
+    let first = usize::from(lines.first().is_some_and(|line| numbers(line).is_none()));
+    let rows = &lines[first.min(lines.len())..];
+    let columns = rows.first().and_then(numbers).unwrap_or(0);
+    columns >= 3 && rows.len() >= 2 && rows.iter().all(|row| numbers(row) == Some(columns))
 }

@@ -1,17 +1,22 @@
-//! A number for each point: marks and labels, as an array (NPY), as bytes, or as the last column of a text.
+//! A number for each point: marks and labels, as an array (NPY), as bytes, as the last column of a text, or as the column `class` of
+//! points.
 
-use super::npy;
+use super::{ReadOptions, npy};
 use crate::columns::get;
 use crate::error::Error;
 use crate::number::{parse, shown, tokens};
 use crate::source::Source;
 use std::path::Path;
 
+/// The column that `classify` writes.
+const CLASS: &str = "class";
+/// Bytes in which the first line of a text ends.
+const LOOK: usize = 1 << 12;
 /// Extension of files with a byte for each point.
 const BYTES: [&str; 2] = ["u8", "bin"];
 
 /// Reads `(N)` numbers: an NPY array of one column, a file `.u8` or `.bin` of bytes, or text with a row for each point, of which the
-/// last number counts.
+/// last number counts; or the column `class` of points in any other format, as `classify` writes them.
 ///
 /// # Errors
 /// An input that cannot be opened, is empty, or breaks its format's rules.
@@ -28,7 +33,35 @@ pub fn read_marks(path: &Path) -> Result<Vec<f64>, Error> {
     if path.extension().is_some_and(|e| BYTES.iter().any(|known| e.eq_ignore_ascii_case(known))) {
         return Ok(super::lines::all(&mut source)?.into_iter().map(f64::from).collect());
     }
-    text(&mut source)
+    if is_plain(source.peek(LOOK)?) {
+        return text(&mut source);
+    }
+    of_points(path)
+}
+
+/// Whether the first line that is no comment ends in a number.
+fn is_plain(start: &[u8]) -> bool {
+    let lines = start.split(|&b| b == b'\n' || b == b'\r');
+    let mut rows =
+        lines.filter(|line| !line.trim_ascii().is_empty() && !line.trim_ascii_start().starts_with(b"#"));
+    let last = |line| tokens(line).last().is_some_and(|word| parse(word).is_some());
+    !start.contains(&0) && rows.next().is_none_or(last)
+}
+
+/// The column of the classes of points.
+fn of_points(path: &Path) -> Result<Vec<f64>, Error> {
+    let mut columns = super::read(path, &ReadOptions::default())?.cloud.attributes;
+    if let Some(found) = columns.iter().position(|column| column.name == CLASS) {
+        let values = columns.swap_remove(found).values;
+        return Ok((0..values.len()).map(|i| get(&values, i)).collect());
+    }
+    let names: Vec<String> = columns.into_iter().map(|column| format!("`{}`", column.name)).collect();
+    let names = if names.is_empty() { "none".into() } else { names.join(", ") };
+    Err(Error::Unsupported {
+        name: path.display().to_string(),
+        what: format!("points without a column `{CLASS}`: the columns are {names}"),
+        advice: "marks and labels are taken from that column, from an array of shape (N,) (.npy), from bytes (.u8) or from the last column of a text".into(),
+    })
 }
 
 fn array(source: &mut Source) -> Result<Vec<f64>, Error> {

@@ -79,7 +79,7 @@ fn finish(
     if let Some(fault) = fault {
         let last = source.peek(1)?.is_empty();
         if !(options.salvage && last) {
-            return Err(fault.report(source, &layout));
+            return Err(fault.report(source, &layout, read == 0, last));
         }
         out.cut(source, options, "rows", announced.unwrap_or(read + 1), read)?;
     } else if let Some(expected) = announced.filter(|&expected| expected > read) {
@@ -110,16 +110,22 @@ enum Fault {
 }
 
 impl Fault {
-    fn report(&self, source: &Source, layout: &Layout) -> Error {
+    /// The error of a line that is the first row, or the last line of the input.
+    fn report(&self, source: &Source, layout: &Layout, first: bool, last: bool) -> Error {
+        let remedy = match (first, last) {
+            (true, _) => "if there are columns of text, name all in the first line, such as `id,x,y,z`",
+            (_, true) => "if this is no row but a last word, --salvage reads the rows before it",
+            _ => "if this is no row, remove the line or put `#` before it",
+        };
         match self {
             Fault::Columns(count) => source.malformed_line(
                 format!("{count} columns where the first rows have {}", layout.roles.len()),
-                format!("every row needs the same columns, separated by {}", layout.separator),
+                format!("every row needs the same columns, separated by {}; {remedy}", layout.separator),
             ),
             Fault::Number(index, token) => source.malformed_line(
                 format!("column {} is {token}", index + 1),
                 format!(
-                    "expected a number{}",
+                    "expected a number{}; {remedy}",
                     if layout.decimal_comma { " with a decimal comma" } else { "" }
                 ),
             ),

@@ -85,6 +85,37 @@ fn commas_that_could_mean_two_things_are_refused() {
 }
 
 #[test]
+fn a_line_that_is_no_row_is_named_with_its_remedy() {
+    let rows = "1.5,2.5,3.5\n".repeat(300);
+    let total = format!("x,y,z\n{rows}Total points: 20000\n");
+    let error = refusal(&total);
+    assert!(error.contains("line 302: column 1 is `Total points: 20000`"), "{error}");
+    assert!(error.contains("--salvage reads the rows before it"), "{error}");
+    let salvage = ReadOptions { salvage: true, ..ReadOptions::default() };
+    assert_eq!(from_bytes(total.as_bytes(), "total.csv", &salvage).unwrap().cloud.len(), 300);
+    let middle = refusal(&format!("{rows}error 7,2.5,3.5\n{rows}"));
+    assert!(middle.contains("line 301") && middle.contains("put `#` before it"), "{middle}");
+    assert_eq!(positions(&format!("{rows}# error 7,2.5,3.5\n{rows}")).len(), 600);
+}
+
+#[test]
+fn a_clean_table_is_read_whatever_its_name_suggests() {
+    let read = |text: &str, name: &str| from_bytes(text.as_bytes(), name, &ReadOptions::default());
+    for text in ["1 2 3\n4 5 6\n", "x,y,z\n1.5,2.5,3.5\n4,5,6\n7,8,9", "# a note\n1;2;3;9\n4;5;6;9\n"] {
+        for (name, format) in [("friend.ply", "PLY"), ("friend.las", "LAS"), ("friend.npz", "NPZ")] {
+            let scan = read(text, name).unwrap();
+            assert_eq!(scan.format, Format::Table, "{name}");
+            assert!(scan.warnings[0].contains(format) && scan.warnings[0].contains("a table of numbers"));
+        }
+        assert!(read(text, "friend.csv").unwrap().warnings.is_empty());
+    }
+    for text in ["1 2 3\n4 5\n", "1 2\n3 4\n", "1 2 3\n", "1 2 3\n4 5 6\nand so on\n"] {
+        let error = read(text, "friend.las").unwrap_err().to_string();
+        assert!(error.contains("the name suggests LAS") && error.contains("--input-format"), "{error}");
+    }
+}
+
+#[test]
 fn a_row_that_does_not_fit_is_refused_with_its_line() {
     let mut many = "1 2 3\n".repeat(300);
     let error = refusal(&(many.clone() + "1 2,5 3\n"));
