@@ -1,5 +1,6 @@
 //! Where the points come from: a file, standard input, or a generated scan.
 
+use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -16,9 +17,16 @@ use crate::failure::{Code, Failure};
 /// One input of the command line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Origin {
-    File(PathBuf),
+    /// A file, and the stem of the outputs that are named after it where they do not stand beside it.
+    File {
+        path: PathBuf,
+        stem: OsString,
+    },
     Stdin,
-    Sample { name: String, seed: u64 },
+    Sample {
+        name: String,
+        seed: u64,
+    },
 }
 
 /// A cloud with its origin, for outputs and messages.
@@ -75,19 +83,39 @@ pub fn origins(source: &Source) -> Result<Vec<Origin>, Failure> {
     if let Some(name) = &source.sample {
         return Ok(vec![Origin::Sample { name: name.clone(), seed: source.seed }]);
     }
-    let of =
-        |path: &PathBuf| if path.as_os_str() == "-" { Origin::Stdin } else { Origin::File(path.clone()) };
-    let origins: Vec<Origin> = source.input.iter().map(of).collect();
+    let origins = files_at(&source.input);
     if origins.iter().filter(|origin| **origin == Origin::Stdin).count() > 1 {
         return Err(Failure::new(Code::Usage, "standard input (`-`) can be read only once"));
     }
     Ok(origins)
 }
 
+/// Files by their paths, `-` being standard input. Those of one stem have the name of their folder before it, so that their
+/// results can stand in one folder.
+pub fn files_at(paths: &[PathBuf]) -> Vec<Origin> {
+    let stem = |path: &PathBuf| path.file_stem().unwrap_or_default().to_owned();
+    let mut counts: BTreeMap<OsString, usize> = BTreeMap::new();
+    paths.iter().for_each(|path| *counts.entry(stem(path)).or_default() += 1);
+    let named = |path: &PathBuf| {
+        let own = stem(path);
+        let folder = path.parent().and_then(Path::file_name).filter(|_| counts[&own] > 1);
+        let Some(folder) = folder else { return own };
+        let mut name = folder.to_owned();
+        name.push("_");
+        name.push(own);
+        name
+    };
+    let of = |path: &PathBuf| match path.as_os_str() == "-" {
+        true => Origin::Stdin,
+        false => Origin::File { path: path.clone(), stem: named(path) },
+    };
+    paths.iter().map(of).collect()
+}
+
 /// The files among the inputs; no output may name one.
 pub fn files(origins: &[Origin]) -> Vec<PathBuf> {
     let file = |origin: &Origin| match origin {
-        Origin::File(path) => Some(path.clone()),
+        Origin::File { path, .. } => Some(path.clone()),
         // Where the system has this name, it leads to the file that standard input was redirected from.
         Origin::Stdin => Some(PathBuf::from("/dev/stdin")),
         Origin::Sample { .. } => None,
@@ -99,16 +127,25 @@ impl Origin {
     /// As messages show it.
     pub fn shown(&self) -> String {
         match self {
-            Origin::File(path) => path.display().to_string(),
+            Origin::File { path, .. } => path.display().to_string(),
             Origin::Stdin => "stdin".into(),
             Origin::Sample { name, seed } => format!("sample {name}, seed {seed}"),
         }
     }
 
-    /// The stem of output names: the file name without its extension, `stdin`, or the sample's name.
+    /// The stem of output names: the file name without its extension, with the name of its folder before it where another input
+    /// has the same, `stdin`, or the sample's name.
     pub fn stem(&self) -> OsString {
         match self {
-            Origin::File(path) => path.file_stem().unwrap_or_default().into(),
+            Origin::File { stem, .. } => stem.clone(),
+            _ => self.own_stem(),
+        }
+    }
+
+    /// The stem of outputs beside the input.
+    pub fn own_stem(&self) -> OsString {
+        match self {
+            Origin::File { path, .. } => path.file_stem().unwrap_or_default().into(),
             Origin::Stdin => "stdin".into(),
             Origin::Sample { name, .. } => name.into(),
         }
@@ -117,7 +154,7 @@ impl Origin {
     /// The folder that outputs go to when none is named; `None` for standard input.
     pub fn folder(&self) -> Option<PathBuf> {
         match self {
-            Origin::File(path) => Some(path.parent().map(PathBuf::from).unwrap_or_default()),
+            Origin::File { path, .. } => Some(path.parent().map(PathBuf::from).unwrap_or_default()),
             Origin::Stdin => None,
             Origin::Sample { .. } => Some(PathBuf::new()),
         }
@@ -131,7 +168,7 @@ impl Origin {
         let start = Instant::now();
         let options = &with_reading(options, reading);
         let input = match self {
-            Origin::File(path) => from_file(path, self.name(), options),
+            Origin::File { path, .. } => from_file(path, self.name(), options),
             Origin::Stdin => from_file(Path::new("-"), self.name(), options),
             Origin::Sample { name, seed } => from_sample(name, *seed, self.name()),
         }?;
@@ -154,7 +191,7 @@ impl Origin {
     /// As outputs name it: without folders, so that they do not depend on where the program runs.
     fn name(&self) -> String {
         match self {
-            Origin::File(path) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+            Origin::File { path, .. } => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
             _ => self.shown(),
         }
     }

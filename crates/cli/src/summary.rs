@@ -9,12 +9,18 @@ use crate::source::Input;
 
 /// Lines about an extraction, without the time. With `verbose`, also automatic values and omissions.
 pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> {
+    chosen(input, extraction, verbose, Vec::new())
+}
+
+/// As [`of`], where lines were left out of the extraction, as `left_out` says.
+pub fn chosen(input: &Input, extraction: &Extraction, verbose: bool, left_out: Vec<String>) -> Vec<String> {
     let report = &extraction.report;
     let mut lines = vec![points(input, report)];
     lines.extend(report.surface.unused(report.read));
     lines.extend([resolution(report), counts(&extraction.network)]);
     lines.extend(related(&extraction.related));
-    lines.extend(no_line(extraction));
+    lines.extend(no_line(extraction).filter(|_| left_out.is_empty()));
+    lines.extend(left_out);
     lines.extend(warnings(input));
     lines.extend(report.notes.iter().map(|note| format!("note: {note}")));
     if verbose {

@@ -33,6 +33,9 @@ pub struct Report {
     /// [default: NAME.html beside the input]
     #[arg(short, long, value_name = "OUT.html", value_hint = ValueHint::FilePath)]
     pub output: Vec<PathBuf>,
+    /// Axis that points up in the report: x, y, z or auto, which is y for glTF, as that format has it, and z for all others
+    #[arg(long, default_value = "auto", value_parser = ["auto", "x", "y", "z"])]
+    pub up: String,
     /// Number of sections to cut as well, evenly through the whole scan
     #[arg(long, help_heading = "Slices", value_name = "N", value_parser = parse::count)]
     pub slices: Option<usize>,

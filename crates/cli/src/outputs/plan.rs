@@ -13,42 +13,53 @@ const STEM: &str = "{stem}";
 /// `suffixes`, and `{stem}` in a name means the input's name without folders and extension. Without `asked`, files
 /// beside the input; standard output for standard input.
 ///
-/// A folder that ends in a slash is made if it is not there, and so is the folder before a name with `{stem}` in it.
-///
 /// # Errors
-/// Usage if two outputs would be one file; output if a folder cannot be made.
+/// Usage if two outputs would be one file.
 pub fn plan(origins: &[Origin], asked: &[PathBuf], suffixes: &[&str]) -> Result<Vec<Vec<PathBuf>>, Failure> {
-    asked.iter().filter_map(|path| to_make(path)).try_for_each(make)?;
     let plan: Vec<Vec<PathBuf>> = origins.iter().map(|origin| of_one(origin, asked, suffixes)).collect();
     match first_repeated(&plan) {
         None => Ok(plan),
-        Some(path) => {
-            let failure = Failure::new(Code::Usage, format!("{}: named as output twice", path.display()));
-            let advice = format!(
-                "{} inputs are named: give a folder, or a name with {{stem}} in it, such as lines/{{stem}}.dxf; each output has an -o of its own",
-                origins.len()
-            );
-            Err(if origins.len() > 1 { failure.advise(advice) } else { failure })
-        }
+        Some((path, [one, other])) => Err(repeated(path, &origins[one], &origins[other], asked)),
     }
 }
 
+/// The failure of two outputs that are one file, which belong to two inputs, or to one.
+fn repeated(path: &Path, one: &Origin, other: &Origin, asked: &[PathBuf]) -> Failure {
+    let path = path.display();
+    let twice = Failure::new(Code::Usage, format!("{path}: named as output twice"));
+    if std::ptr::eq(one, other) {
+        return twice;
+    }
+    let named_by_input = |path: &PathBuf| is_folder(path) || path.to_string_lossy().contains(STEM);
+    if asked.iter().all(named_by_input) {
+        let [one, other] = [one, other].map(Origin::shown);
+        let message = format!("{path}: would be the output of both {one} and {other}");
+        return Failure::new(Code::Usage, message).advise("give each a run, and an output, of its own");
+    }
+    twice.advise("several inputs are named: give a folder, or a name with {stem} in it, such as lines/{stem}.dxf; each output has an -o of its own")
+}
+
 fn of_one(origin: &Origin, asked: &[PathBuf], suffixes: &[&str]) -> Vec<PathBuf> {
-    let named = |folder: PathBuf| suffixes.iter().map(move |suffix| folder.join(with_suffix(origin, suffix)));
+    let of_stem = |folder: PathBuf, stem: OsString| {
+        suffixes.iter().map(move |suffix| folder.join(with_suffix(stem.clone(), suffix)))
+    };
     match origin.folder() {
         _ if !asked.is_empty() => asked
             .iter()
             .flat_map(|path| {
-                if is_folder(path) { named(path.clone()).collect() } else { vec![filled(path, origin)] }
+                if is_folder(path) {
+                    of_stem(path.clone(), origin.stem()).collect()
+                } else {
+                    vec![filled(path, origin)]
+                }
             })
             .collect(),
-        Some(folder) => named(folder).collect(),
+        Some(folder) => of_stem(folder, origin.own_stem()).collect(),
         None => vec![PathBuf::from("-")],
     }
 }
 
-fn with_suffix(origin: &Origin, suffix: &str) -> OsString {
-    let mut name = origin.stem();
+fn with_suffix(mut name: OsString, suffix: &str) -> OsString {
     name.push(".");
     name.push(suffix);
     name
@@ -70,35 +81,23 @@ fn ends_in_slash(path: &Path) -> bool {
     path.as_os_str().to_string_lossy().ends_with(['/', MAIN_SEPARATOR])
 }
 
-/// The folder that is to be there before results are written; `None` where the user makes it.
-fn to_make(path: &Path) -> Option<&Path> {
-    if ends_in_slash(path) {
-        return Some(path);
-    }
-    let holds_stem = |part: &Path| part.to_string_lossy().contains(STEM);
-    path.parent().filter(|folder| holds_stem(path) && !holds_stem(folder) && !folder.as_os_str().is_empty())
-}
-
-/// Makes a folder and those above it.
-pub fn make(folder: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder)
-        .map_err(|e| Failure::new(Code::Output, format!("{}: cannot make the folder: {e}", folder.display())))
-}
-
-fn first_repeated(plan: &[Vec<PathBuf>]) -> Option<&Path> {
-    let mut all: Vec<&PathBuf> = plan.iter().flatten().collect();
+/// A file that stands in the plan twice, and the inputs that it belongs to.
+fn first_repeated(plan: &[Vec<PathBuf>]) -> Option<(&Path, [usize; 2])> {
+    let mut all: Vec<(&PathBuf, usize)> = Vec::new();
+    plan.iter().enumerate().for_each(|(i, outputs)| all.extend(outputs.iter().map(|path| (path, i))));
     all.sort();
-    all.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0].as_path())
+    all.windows(2).find(|w| w[0].0 == w[1].0).map(|w| (w[0].0.as_path(), [w[0].1, w[1].1]))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source;
 
     const SUFFIXES: [&str; 2] = ["lines.json", "lines.obj"];
 
     fn files(names: &[&str]) -> Vec<Origin> {
-        names.iter().map(|name| Origin::File(name.into())).collect()
+        source::files_at(&names.iter().map(PathBuf::from).collect::<Vec<_>>())
     }
 
     fn planned(inputs: &[&str], asked: &[&str]) -> Result<Vec<Vec<PathBuf>>, Failure> {
@@ -122,14 +121,27 @@ mod tests {
     }
 
     #[test]
-    fn folders_hold_the_default_names_and_are_made() {
-        let base = tempfile::tempdir().unwrap();
-        let folder = format!("{}/new/lines/", base.path().display());
-        let plan = planned(&["a.ply", "b.ply"], &[&folder]).unwrap();
-        assert_eq!(plan[1][0], base.path().join("new/lines/b.lines.json"));
-        planned(&["a.ply"], &[&format!("{}/cad/{{stem}}.dxf", base.path().display())]).unwrap();
-        assert!(base.path().join("cad").is_dir());
-        assert!(base.path().join("new/lines").is_dir());
+    fn folders_hold_the_default_names_and_are_not_made_yet() {
+        let plan = planned(&["a.ply", "b.ply"], &["new/lines/"]).unwrap();
+        assert_eq!(plan[1][0], PathBuf::from("new/lines/b.lines.json"));
+        assert!(!Path::new("new").exists());
+    }
+
+    #[test]
+    fn inputs_of_one_name_have_their_folders_name_before_it() {
+        let inputs = ["p/a.ply", "q/a.ply", "b.ply", "a.xyz"];
+        let first = |asked: &[&str]| -> Vec<String> {
+            let plan = planned(&inputs, asked).unwrap();
+            plan.iter().map(|outputs| outputs[0].display().to_string()).collect()
+        };
+        assert_eq!(first(&["{stem}.obj"]), ["p_a.obj", "q_a.obj", "b.obj", "a.obj"]);
+        let all = ["o/p_a.lines.json", "o/q_a.lines.json", "o/b.lines.json", "o/a.lines.json"];
+        assert_eq!(first(&["o/"]), all);
+        let beside = ["p/a.lines.json", "q/a.lines.json", "b.lines.json", "a.lines.json"];
+        assert_eq!(first(&[]), beside);
+        let failure = planned(&["p/a.ply", "p/a.xyz"], &["o/"]).unwrap_err();
+        assert!(failure.message.contains("both p/a.ply and p/a.xyz"), "{}", failure.message);
+        assert!(!failure.advice.unwrap().contains("folder"));
     }
 
     #[test]
@@ -138,7 +150,7 @@ mod tests {
             (vec!["a.ply"], vec!["x.obj", "x.obj"]),
             (vec!["a.ply", "b.ply"], vec!["x.obj"]),
             (vec!["a.ply", "b.ply"], vec!["-"]),
-            (vec!["p/a.ply", "q/a.ply"], vec!["{stem}.obj"]),
+            (vec!["x/p/a.ply", "y/p/a.ply"], vec!["{stem}.obj"]),
             (vec!["a.ply", "a.xyz"], vec![]),
         ] {
             assert_eq!(planned(&inputs, &asked).unwrap_err().code, Code::Usage, "{inputs:?} {asked:?}");

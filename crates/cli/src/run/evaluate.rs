@@ -4,6 +4,7 @@ mod json;
 mod picture;
 mod table;
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use lineament::evaluate::{Lines, MarkScore, Score, Scoring, Stretch, marks, score, stretches};
@@ -72,7 +73,7 @@ fn known(path: &Path) -> Result<(), Failure> {
 }
 
 fn load(path: &Path) -> Result<Input, Failure> {
-    Origin::File(path.into())
+    Origin::File { path: path.into(), stem: OsString::new() }
         .load(&Reading::default(), &ReadOptions { attributes: false, ..Default::default() })
 }
 

@@ -53,8 +53,8 @@ fn one(
     let hash = outputs.iter().any(|path| matches!(network_format(path), Ok(NetworkFormat::Json)));
     let input = work.load(origin, &ReadOptions { attributes: false, hash, ..Default::default() })?;
     let mut found = work.extract(origin, &input)?;
-    let mut lines = summary::of(&input, &found, work.args.running.verbose);
-    lines.extend(choose(args, &input.cloud, &mut found));
+    let left_out = choose(args, &input.cloud, &mut found);
+    let mut lines = summary::chosen(&input, &found, work.args.running.verbose, left_out);
     let list = listing::of(&input.cloud, &found, args.report.is_some());
     lines.extend(list.iter().flat_map(listing::told));
     let context = NetworkContext {
@@ -85,7 +85,7 @@ fn one(
     Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), total) })
 }
 
-/// Leaves out the lines that are not asked for; says how many.
+/// Leaves out the lines that are not asked for; says how many there were.
 fn choose(args: &Extract, cloud: &Cloud, found: &mut Extraction) -> Vec<String> {
     let before = found.network.strips.len();
     let (length, confidence) = (args.min_length.unwrap_or(0.0), args.min_confidence.unwrap_or(0.0));

@@ -32,6 +32,16 @@ pub fn extracted(
     write_report(path, inputs, &report)
 }
 
+/// The axis of that name, which points up; of `auto` that of the format of the input.
+pub fn up(name: &str, of_input: Option<[f64; 3]>) -> [f64; 3] {
+    match name {
+        "x" => [1.0, 0.0, 0.0],
+        "y" => [0.0, 1.0, 0.0],
+        "auto" => of_input.unwrap_or([0.0, 0.0, 1.0]),
+        _ => [0.0, 0.0, 1.0],
+    }
+}
+
 /// The numbers of classes in files.
 pub fn numbers(classes: &[Class]) -> Vec<u8> {
     classes.iter().map(|&class| class as u8).collect()

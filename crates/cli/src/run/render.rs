@@ -11,6 +11,7 @@ use lineament::params::Auto;
 use lineament::{Extraction, Network};
 use lineament_io as io;
 
+use super::page;
 use crate::args::{PointColor, Render};
 use crate::batch::Done;
 use crate::failure::Failure;
@@ -70,7 +71,7 @@ fn one(
         None => of_points(work, origin, args)?,
     };
     shown.said.extend(fixed.mesh.iter().flat_map(|mesh| mesh.warnings.iter().cloned()));
-    let settings = &Settings { up: form::up(&args.up, shown.up), ..fixed.settings.clone() };
+    let settings = &Settings { up: page::up(&args.up, shown.up), ..fixed.settings.clone() };
     let mesh = fixed.mesh.map(|mesh| Triangles { vertices: &mesh.vertices, triangles: &mesh.triangles });
     let scene = Scene {
         surfels: if form::hides(args) { &shown.surfels } else { &[] },
@@ -101,7 +102,9 @@ fn one(
 /// The file of an input that is itself a network.
 fn lines_alone(origin: &Origin) -> Option<&Path> {
     match origin {
-        Origin::File(path) if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) => Some(path),
+        Origin::File { path, .. } if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) => {
+            Some(path)
+        }
         _ => None,
     }
 }

@@ -27,7 +27,7 @@ pub fn run(args: &args::Report) -> Result<(), Failure> {
     let params = params(args)?;
     let mut work = work::prepare(&args.work, &args.output, &SUFFIXES, page_only)?;
     work.params.patches.find = Auto::Given(true);
-    work.each(|origin, outputs| one(&work, params.as_ref(), origin, outputs))
+    work.each(|origin, outputs| one(&work, args, params.as_ref(), origin, outputs))
 }
 
 /// How to slice; `None` if no slices are asked for.
@@ -49,6 +49,7 @@ fn page_only(path: &Path) -> Result<NetworkFormat, Failure> {
 
 fn one(
     work: &Work,
+    args: &args::Report,
     slicing: Option<&SectionParams>,
     origin: &Origin,
     outputs: &[PathBuf],
@@ -66,7 +67,7 @@ fn one(
         labels: &labels,
         network: Some(&found.network),
         sections: cut.as_ref().map(|(sections, stack)| (sections, stack)),
-        up: input.up(),
+        up: page::up(&args.up, Some(input.up())),
         ..Report::new(&context)
     };
     for path in outputs {

@@ -81,6 +81,46 @@ fn outputs_that_would_overwrite_each_other_are_refused_before_any_work() {
 }
 
 #[test]
+fn inputs_of_one_name_go_into_one_folder() {
+    let sandbox = sandbox();
+    for folder in ["p", "q"] {
+        std::fs::create_dir(sandbox.path(folder)).unwrap();
+        sandbox.write_points(&format!("{folder}/t.csv"), &cube());
+    }
+    let args = ["extract", "p/t.csv", "q/t.csv", "in/a.xyz", "-o", "coll/", "--report", "list/{stem}.txt"];
+    sandbox.run(&args).expect(0);
+    for name in ["coll/p_t.lines.json", "coll/q_t.lines.obj", "coll/a.lines.json", "list/q_t.txt"] {
+        assert!(sandbox.path(name).exists(), "{name}");
+    }
+    sandbox.write_points("in/a.csv", &cube());
+    let both = ["both in/a.xyz and in/a.csv"];
+    sandbox.run(&["extract", "in/a.xyz", "in/a.csv", "-o", "out/"]).expect(2).says(&both);
+    assert!(!sandbox.path("out").exists());
+}
+
+#[test]
+fn folders_of_outputs_are_made_where_there_is_a_result() {
+    let sandbox = sandbox();
+    for (command, output) in [
+        ("extract", "one/two/a.dxf"),
+        ("classify", "marks/a.npy"),
+        ("section", "cuts/{stem}.json"),
+        ("clean", "kept/"),
+    ] {
+        sandbox.run(&[command, "in/a.xyz", "-o", output]).expect(0);
+    }
+    for name in ["one/two/a.dxf", "marks/a.npy", "cuts/a.json", "kept/a.clean.ply"] {
+        assert!(sandbox.path(name).exists(), "{name}");
+    }
+    sandbox.write("in/b.ply", "ply\nnonsense\n");
+    for output in ["new/b.dxf", "new/{stem}.dxf", "new/"] {
+        sandbox.run(&["extract", "in/b.ply", "-o", output]).expect(3);
+        assert!(!sandbox.path("new").exists(), "{output}");
+    }
+    sandbox.run(&["extract", "in/a.xyz", "-o", "in/a.xyz/b.dxf"]).expect(5).says(&["in/a.xyz"]);
+}
+
+#[test]
 fn an_output_that_names_any_of_the_inputs_is_refused() {
     let sandbox = Sandbox::new();
     let vertices: String = cube().iter().map(|[x, y, z]| format!("v {x:?} {y:?} {z:?}\n")).collect();

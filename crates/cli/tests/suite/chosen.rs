@@ -24,6 +24,17 @@ fn lines_can_be_chosen_by_length_and_certainty() {
 }
 
 #[test]
+fn the_summary_counts_the_lines_that_are_written() {
+    let sandbox = Sandbox::new();
+    sandbox.write_points("cube.xyz", &cube());
+    let args = ["extract", "cube.xyz", "-o", "a.json", "--min-length", "1e9"];
+    let said = sandbox.run(&args).expect(0).stderr;
+    assert!(said.contains("0 creases, 0 borders, 0 junctions"), "{said}");
+    assert!(said.contains("12 lines of 12 left out") && !said.contains("no line:"), "{said}");
+    assert!(!said.contains("12 creases") && !said.contains("relations:"), "{said}");
+}
+
+#[test]
 fn lines_less_certain_than_asked_are_left_out() {
     let sandbox = Sandbox::new();
     let confidences = |args: &[&str]| {

@@ -93,6 +93,41 @@ fn marks_and_lines_are_scored_by_labels() {
 }
 
 #[test]
+fn classes_of_points_are_marks_in_every_format() {
+    let sandbox = Sandbox::new();
+    let names = ["m.npy", "m.npz", "m.ply", "m.csv", "m.las"];
+    let outputs: Vec<&str> = names.iter().flat_map(|name| ["-o", name]).collect();
+    sandbox.run(&[&["classify", "--sample", "cube-386"], &outputs[..]].concat()).expect(0);
+    let tables = names.map(|name| sandbox.run(&["evaluate", name, "--labels", "m.npy"]).expect(0).text());
+    assert!(tables[0].contains("1.0000     1.0000     1.0000"), "{}", tables[0]);
+    assert!(tables.iter().all(|table| *table == tables[0]));
+    sandbox.write("no.csv", "x,y,z,w\n1,2,3,4\n");
+    sandbox.run(&["evaluate", "no.csv", "--labels", "m.npy"]).expect(3).says(&["`class`", "`w`", ".npy"]);
+}
+
+#[test]
+fn a_result_scores_the_same_in_every_format_of_lines() {
+    let sandbox = Sandbox::new();
+    let names = ["a.json", "a.dxf", "a.step"];
+    let outputs: Vec<&str> = names.iter().flat_map(|name| ["-o", name]).collect();
+    sandbox.run(&[&["extract", "--sample", "bracket"], &outputs[..]].concat()).expect(0);
+    let whole: serde_json::Value = json(&sandbox.path("a.json"));
+    // Without the straight lines, the circles alone are known, and the share of their length is the precision.
+    let mut round = whole.clone();
+    let straight =
+        |strip: &serde_json::Value| strip["curves"].as_array().unwrap().iter().all(|c| c["type"] == "line");
+    round["strips"].as_array_mut().unwrap().retain(|strip| !straight(strip));
+    sandbox.write("round.json", round.to_string());
+    let precision = names.map(|name| {
+        let args = ["evaluate", name, "--truth", "round.json", "-o", "s.json"];
+        sandbox.run(&args).expect(0);
+        json(&sandbox.path("s.json"))["at"][0]["precision"].as_f64().unwrap()
+    });
+    assert!(precision[0] > 0.1 && precision[0] < 0.7, "{precision:?}");
+    assert!(precision.iter().all(|p| (p - precision[0]).abs() < 0.02), "{precision:?}");
+}
+
+#[test]
 fn what_cannot_be_scored_is_refused() {
     let sandbox = with_lines();
     sandbox.write_points("points.xyz", &[[0.0; 3], [1.0, 0.0, 0.0]]);

@@ -30,6 +30,17 @@ fn report_writes_lines_patches_and_slices_beside_the_input() {
 }
 
 #[test]
+fn a_report_has_the_axis_up_that_is_asked_for() {
+    let sandbox = Sandbox::new();
+    sandbox.write_points("cube.xyz", &cube());
+    for (args, up) in [(&[][..], [0.0, 0.0, 1.0]), (&["--up", "y"], [0.0, 1.0, 0.0])] {
+        sandbox.run(&[&["report", "cube.xyz"], args].concat()).expect(0);
+        assert_eq!(data(&sandbox, "cube.html")["up"], serde_json::json!(up));
+    }
+    sandbox.run(&["report", "cube.xyz", "--up", "w"]).expect(2);
+}
+
+#[test]
 fn every_command_of_results_writes_reports() {
     let sandbox = Sandbox::new();
     sandbox.write_points("cube.xyz", &cube());

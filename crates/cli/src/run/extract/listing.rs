@@ -28,7 +28,7 @@ pub fn check(work: &Work, path: Option<&Path>) -> Result<(), Failure> {
         let message = format!("--report {}: one file for {} inputs", path.display(), work.count());
         return Err(Failure::new(Code::Usage, message).advise("write {stem} for the name of the input"));
     }
-    lineament_io::check_output(path, &work.inputs).map_err(Failure::from)
+    outputs::check_place(path, &work.inputs)
 }
 
 /// The list of a result; `None` where nothing asks for it and it would take long.

@@ -90,16 +90,6 @@ pub fn mesh(args: &Render) -> Result<Option<io::MeshFile>, Failure> {
     Ok(mesh_path(args).map(io::read_mesh).transpose()?)
 }
 
-/// The axis of that name; without one that of the format of the input.
-pub fn up(name: &str, of_input: Option<[f64; 3]>) -> [f64; 3] {
-    match name {
-        "x" => [1.0, 0.0, 0.0],
-        "y" => [0.0, 1.0, 0.0],
-        "auto" => of_input.unwrap_or([0.0, 0.0, 1.0]),
-        _ => [0.0, 0.0, 1.0],
-    }
-}
-
 /// A drawing as vectors.
 pub fn is_svg(path: &Path) -> bool {
     path.extension().is_some_and(|e| e.eq_ignore_ascii_case("svg"))

@@ -47,6 +47,7 @@ fn the_hole_and_the_boss_of_the_bracket_are_listed_with_tolerances() {
 fn lists_without_a_form_or_a_place_are_refused() {
     let sandbox = Sandbox::new();
     let args = ["extract", "--sample", "box", "-o", "a.csv"];
+    sandbox.write("no", "a file");
     for (list, code, part) in
         [("a.pdf", 2, ".txt, .csv"), ("a.csv", 2, "--report"), ("no/a.csv", 5, "no folder")]
     {
