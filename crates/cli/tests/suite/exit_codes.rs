@@ -86,10 +86,10 @@ fn refused_parameters_are_4_and_name_key_and_value() {
 fn outputs_that_cannot_be_written_are_5_before_any_work_is_done() {
     let sandbox = with_cube();
     let cases: &[&[&str]] = &[
-        &["extract", "cube.xyz", "-o", "absent/a.json"],
+        &["extract", "cube.xyz", "-o", "cube.xyz/a.json"],
         &["extract", "cube.xyz", "-o", "cube.xyz/"],
-        &["classify", "cube.xyz", "-o", "absent/a.npy"],
-        &["render", "cube.xyz", "-o", "absent/a.png"],
+        &["classify", "cube.xyz", "-o", "cube.xyz/absent/a.npy"],
+        &["render", "cube.xyz", "-o", "cube.xyz/a.png"],
     ];
     for args in cases {
         sandbox.run(args).expect(5);
