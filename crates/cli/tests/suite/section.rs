@@ -143,7 +143,7 @@ fn what_cannot_be_is_refused_with_its_exit_code() {
         (&["section", "absent.xyz", "-o", "a.json"], 3),
         (&["section", "a.xyz", "-o", "a.json", "--step", "0"], 4),
         (&["section", "a.xyz", "-o", "a.json", "--every", "0.5"], 2),
-        (&["section", "a.xyz", "-o", "absent/a.json"], 5),
+        (&["section", "a.xyz", "-o", "a.xyz/a.json"], 5),
     ];
     for (args, code) in cases {
         sandbox.run(args).expect(*code);
