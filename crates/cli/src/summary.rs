@@ -108,9 +108,12 @@ pub fn read(input: &Input, counts: [usize; 3]) -> String {
     let [read, dropped, merged] = counts.map(grouped);
     if let Some(sampled) = &input.sampled {
         let [faces, spacing] = [grouped(sampled.faces), figure(sampled.spacing)];
+        let hidden = sampled.feature.filter(|size| *size < sampled.spacing);
+        let hidden = hidden.map(|size| format!(", too far for features of {}", figure(size)));
         return format!(
-            "{}: {read} points sampled over {faces} faces, {spacing} apart (--samples for others, --vertices for the vertices alone)",
-            input.name
+            "{}: {read} points sampled over {faces} faces, {spacing} apart{} (--samples for others, --vertices for the vertices alone)",
+            input.name,
+            hidden.unwrap_or_default()
         );
     }
     format!("{}: {read} points read, {dropped} not finite, {merged} duplicates", input.name)

@@ -11,6 +11,7 @@ pub(crate) mod quantile;
 pub(crate) mod ruler;
 mod systems;
 pub(crate) mod tensor;
+pub(crate) mod tournament;
 pub(crate) mod trees;
 #[cfg(test)]
 pub(crate) mod uniform;

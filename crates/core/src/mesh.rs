@@ -20,6 +20,7 @@ pub use faces::Faces;
 pub use folds::Fold;
 
 use canonical::Surface;
+use features::Features;
 
 /// The points to take of a mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -94,11 +95,11 @@ fn planned(
         return None;
     }
     let surface = Surface::new(vertices, faces)?;
-    let feature = features::size(&surface);
+    let Features { size: feature, samples } = Features::of(&surface);
     let count = match points {
         MeshPoints::Sampled(count) => count.clamp(1, MOST_SAMPLES),
         _ if dense::is_dense(&surface, feature) => return None,
-        _ => features::samples(&surface, feature),
+        _ => samples,
     };
     Some((surface, count, feature))
 }

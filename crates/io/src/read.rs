@@ -140,6 +140,8 @@ pub struct Sampled {
     pub faces: usize,
     /// Mean distance of neighbouring points, unit of the input.
     pub spacing: f64,
+    /// The size of their smallest features, unit of the input, where they have any.
+    pub feature: Option<f64>,
     /// The edges at which they fold, for `lineament::extract_sampled`.
     pub folds: Vec<Fold>,
 }

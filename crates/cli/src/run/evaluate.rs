@@ -11,9 +11,9 @@ use lineament::evaluate::{Lines, MarkScore, Score, Scoring, Stretch, marks, scor
 use lineament_io::{LineFile, ReadOptions, read_lines, read_marks};
 
 use crate::args::{Evaluate, Reading};
-use crate::failure::{Code, Failure};
+use crate::failure::{Code, Failure, say};
 use crate::source::{Input, Origin, print};
-use crate::{config, outputs};
+use crate::{config, outputs, summary};
 
 /// Greatest number of spacings that lines may be long: they are cut into pieces of a fifth, some hundred bytes each.
 const LONGEST: f64 = 2e6;
@@ -56,7 +56,15 @@ pub fn run(args: &Evaluate) -> Result<(), Failure> {
             _ => picture::write(path, &inputs, args, &compared, scan.as_ref()),
         })?;
     }
+    tell_written(args);
     Ok(())
+}
+
+/// Names the files that were written, as all commands do.
+fn tell_written(args: &Evaluate) {
+    if !args.output.is_empty() && !args.running.quiet {
+        say(&summary::written(&args.output));
+    }
 }
 
 fn extension(path: &Path) -> String {
@@ -101,6 +109,7 @@ fn of_marks(args: &Evaluate, inputs: &[PathBuf]) -> Result<(), Failure> {
         }
         outputs::write(path, || json::write(path, inputs, &json::of_marks(&scores)))?;
     }
+    tell_written(args);
     Ok(())
 }
 

@@ -13,8 +13,9 @@ fn with_lines() -> Sandbox {
 fn a_result_against_itself_has_no_error() {
     let sandbox = with_lines();
     let args = ["evaluate", "box.json", "--truth", "box.json", "--tolerance", "1e-9"];
-    let table =
-        sandbox.run(&[&args[..], &["-o", "s.json", "-o", "s.png", "-o", "s.svg"]].concat()).expect(0).text();
+    let args = [&args[..], &["-o", "s.json", "-o", "s.png", "-o", "s.svg"]].concat();
+    let ran = sandbox.run(&args).expect(0).says(&["wrote s.json, s.png, s.svg"]);
+    let table = ran.text();
     for part in [
         "1.0000     1.0000     1.0000",
         "missed: in the truth alone: nothing",
@@ -67,8 +68,11 @@ fn marks_and_lines_are_scored_by_labels() {
     let sandbox = Sandbox::new();
     sandbox.write("marks.txt", "1\n0\n1\n0\n");
     sandbox.write("labels.u8", [1, 0, 2, 3]);
-    let table =
-        sandbox.run(&["evaluate", "marks.txt", "--labels", "labels.u8", "-o", "m.json"]).expect(0).text();
+    let table = sandbox
+        .run(&["evaluate", "marks.txt", "--labels", "labels.u8", "-o", "m.json"])
+        .expect(0)
+        .says(&["wrote m.json"])
+        .text();
     assert!(table.contains("label 1 and 2, without 3         1.0000     1.0000     1.0000"), "{table}");
     assert_eq!(json(&sandbox.path("m.json"))["points"][0]["precision"], 0.5);
     sandbox.write("short.u8", [1, 0]);

@@ -150,6 +150,27 @@ fn a_point_far_out_does_not_make_a_line_of_a_plane() {
     sandbox.run(&["extract", "far.xyz", "-o", "far.json"]).expect(0);
 }
 
+/// Rows and columns at distances of `e^-14` to `e^14`, so that a mean spacing says nothing of the places.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_spacing_over_many_decades_takes_memory_in_proportion() {
+    let place = |i: i32| (0.28 * f64::from(i - 50)).exp();
+    let points = |k: i32| {
+        let [x, y] = [place(k % 101), place(k / 101)];
+        [x, y, x.min(y)]
+    };
+    let sandbox = Sandbox::new();
+    sandbox.write_points("decades.xyz", &(0..101 * 101).map(points).collect::<Vec<_>>());
+    let script = format!(
+        "ulimit -v 450000; exec {} extract decades.xyz --method segments --threads 1 -o o.json",
+        env!("CARGO_BIN_EXE_lineament")
+    );
+    let mut shell = std::process::Command::new("sh");
+    let run = shell.arg("-c").arg(script).current_dir(sandbox.path("")).output().unwrap();
+    assert_eq!(run.status.code(), Some(0), "{run:?}");
+    assert_eq!(sandbox.files(), ["decades.xyz", "o.json"]);
+}
+
 #[test]
 fn lines_of_other_points_are_not_drawn() {
     let sandbox = Sandbox::new();

@@ -5,12 +5,10 @@
 //! start each cell of a fine grid keeps one point, so that faces that lie on each other do not pile up.
 
 use rayon::prelude::*;
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
-use std::collections::binary_heap::PeekMut;
 use std::ops::Range;
 
 use super::scatter::Candidate;
+use crate::math::tournament::Tournament;
 use crate::math::vec3::distance2;
 use crate::parallel;
 
@@ -87,27 +85,18 @@ impl Grid {
     }
 
     /// Takes out the most crowded place until `count` are left; gives the candidates that stay.
-    fn thin(&self, count: usize) -> Vec<u32> {
-        let mut weights = parallel::map(self.places.len(), parallel::SLOW, |at| self.weight(at));
-        let mut heap: BinaryHeap<Crowded> =
-            weights.iter().zip(0..).map(|(&w, at)| Crowded::new(w, at)).collect();
-        let (mut stays, mut left) = (vec![true; self.places.len()], self.places.len());
-        while left > count
-            && let Some(mut first) = heap.peek_mut()
-        {
-            // Weights only ever fall: an entry that is out of date sinks to where the weight of now has its place.
-            let Reverse(at) = first.at;
-            let now = Crowded::new(weights[at as usize], at);
-            if first.weight > now.weight {
-                *first = now;
-                continue;
-            }
-            PeekMut::pop(first);
-            let at = at as usize;
-            (stays[at], left) = (false, left - 1);
-            self.neighbours(at, |other, weight| weights[other] -= weight);
+    fn thin(mut self, count: usize) -> Vec<u32> {
+        let weights = parallel::map(self.places.len(), parallel::SLOW, |at| self.weight(at));
+        let mut crowded = Tournament::new(weights);
+        for _ in count..self.places.len() {
+            let Some(at) = crowded.first() else { break };
+            crowded.take_out(at);
+            self.neighbours(at, |other, weight| crowded.lower(other, weight));
+            // It crowds nobody any more: no distance to it is less than another.
+            self.places[at].position = [f64::NAN; 3];
         }
-        (0..self.places.len()).filter(|&at| stays[at]).map(|at| self.places[at].candidate).collect()
+        let stay = self.places.iter().zip(0..).filter(|&(_, at)| !crowded.is_out(at));
+        stay.map(|(place, _)| place.candidate).collect()
     }
 
     fn weight(&self, at: usize) -> f64 {
@@ -143,20 +132,4 @@ fn rows(cells: &[(Cell, u32)], [x, y, z]: Cell, end: u32) -> [Range<u32>; 9] {
 
 fn turned_away(a: &Place, b: &Place) -> bool {
     (0..3).map(|k| a.normal[k] * b.normal[k]).sum::<f32>() < AWAY
-}
-
-/// A place by how crowded it is; of several as crowded the first comes out.
-#[derive(PartialEq, Eq, PartialOrd, Ord)]
-struct Crowded {
-    /// The bits of the weight in an order that is that of the numbers.
-    weight: u64,
-    at: Reverse<u32>,
-}
-
-impl Crowded {
-    fn new(weight: f64, at: u32) -> Self {
-        let bits = weight.to_bits();
-        let sign = 1 << 63;
-        Self { weight: if bits & sign == 0 { bits | sign } else { !bits }, at: Reverse(at) }
-    }
 }

@@ -1,4 +1,4 @@
-//! The size of the smallest features of a mesh: chains of sharp edges by their extent, the faces between them by their width.
+//! The features of a mesh, and how many points they need: chains of sharp edges by their extent, the faces between them by their width.
 
 use super::canonical::Surface;
 use super::sharp::Edges;
@@ -18,19 +18,42 @@ const FEWEST: f64 = 20_000.0;
 /// Most points by default: so many for each triangle, within bounds. A mesh of few triangles has few features, however small one is.
 const A_TRIANGLE: usize = 20;
 const MOST: [usize; 2] = [50_000, 200_000];
+/// Most points by default of a heap of facets most of whose features would not show in those either.
+const A_HEAP: usize = 30_000;
+/// Spacings that a chain of sharp edges needs to show as a line at all.
+const SHOWN: f64 = 3.0;
 
-/// The number of points at which features of a size get ten spacings, within bounds.
-pub(super) fn samples(surface: &Surface, feature: Option<f64>) -> usize {
-    let needed = feature.map_or(0.0, |size| surface.area * (SPACINGS / size).powi(2));
-    let most = (A_TRIANGLE * surface.triangles.len()).clamp(MOST[0], MOST[1]);
-    needed.clamp(FEWEST, most as f64) as usize
+/// What decides on the number of points.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Features {
+    /// The size of the smallest, local frame; `None` for a surface without sharp edges and borders.
+    pub size: Option<f64>,
+    /// The number of points at which they get ten spacings, within bounds.
+    pub samples: usize,
 }
 
-/// The size of the smallest features, local frame; `None` for a surface without sharp edges and borders.
-pub(super) fn size(surface: &Surface) -> Option<f64> {
-    let edges = Edges::new(surface, SHARP);
-    let chains = least(edges.chains(surface))?;
-    Some(least(edges.widths(surface)).map_or(chains, |widths| widths.min(chains)))
+impl Features {
+    pub(super) fn of(surface: &Surface) -> Self {
+        let edges = Edges::new(surface, SHARP);
+        let chains = edges.chains(surface);
+        let mut most = (A_TRIANGLE * surface.triangles.len()).clamp(MOST[0], MOST[1]);
+        if is_heap(&chains, surface, most) {
+            most = A_HEAP;
+        }
+        let widths = least(edges.widths(surface));
+        let size = least(chains).map(|chain| widths.map_or(chain, |width| width.min(chain)));
+        let needed = size.map_or(0.0, |size| surface.area * (SPACINGS / size).powi(2));
+        Self { size, samples: needed.clamp(FEWEST, most as f64) as usize }
+    }
+}
+
+/// Whether a mesh is a heap of facets, more chains of sharp edges than there are rectangles of two triangles, and less than two
+/// thirds of the chains would show in so many points: boxes of sizes over many decades, needles, crumbs on a plate. More points show a few
+/// more of them; what they cost is out of proportion.
+fn is_heap(chains: &[(f64, f64)], surface: &Surface, points: usize) -> bool {
+    let shown = SHOWN * (surface.area / points as f64).sqrt();
+    let lines = chains.iter().filter(|(extent, _)| *extent >= shown).count();
+    2 * chains.len() > surface.triangles.len() && 3 * lines < 2 * chains.len()
 }
 
 /// The least of sizes with their weights, once those of the slivers are left out.

@@ -119,7 +119,29 @@ fn small_features_call_for_more_points() {
 fn a_mesh_of_few_triangles_gets_few_points_however_small_its_features() {
     let (vertices, faces) = brick([1.0, 1.0, 1e-6], [0.0; 3]);
     let surface = Surface::new(&vertices, &faces).unwrap();
-    assert_eq!(features::samples(&surface, features::size(&surface)), 50_000);
+    assert_eq!(Features::of(&surface).samples, 50_000);
+}
+
+/// Bricks on a plate, in rows of 50, of the sizes that `side` gives for their numbers.
+fn bricks(count: usize, side: impl Fn(usize) -> f64) -> Surface {
+    let (mut vertices, mut faces) = brick([1000.0, 1000.0, 100.0], [0.0, 0.0, -100.0]);
+    for i in 0..count {
+        let corner = [20.0 * (i % 50) as f64, 20.0 * (i / 50) as f64, 0.0];
+        let first = vertices.len() as u32;
+        let (more, its) = brick([side(i); 3], corner);
+        vertices.extend(more);
+        its.iter().for_each(|face| faces.push(&face.iter().map(|&v| first + v).collect::<Vec<u32>>()));
+    }
+    Surface::new(&vertices, &faces).unwrap()
+}
+
+#[test]
+fn heaps_of_facets_too_small_to_show_get_few_points() {
+    let samples = |surface: &Surface| Features::of(surface).samples;
+    // Points 5.6 apart show bricks of 18; 3.5 apart they show no crumbs of a tenth, nor most bricks of 18 down to .018.
+    assert_eq!(samples(&bricks(2000, |_| 18.0)), 200_000);
+    assert_eq!(samples(&bricks(2000, |_| 0.1)), 30_000);
+    assert_eq!(samples(&bricks(2000, |i| 18.0 * 0.1_f64.powi(i as i32 % 4))), 30_000);
 }
 
 #[test]

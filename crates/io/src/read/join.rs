@@ -66,6 +66,7 @@ fn add(all: &mut Scan, mut next: Scan) {
         (Some(a), Some(b)) => Some(Sampled {
             faces: a.faces + b.faces,
             spacing: a.spacing.max(b.spacing),
+            feature: [a.feature, b.feature].into_iter().flatten().min_by(f64::total_cmp),
             folds: [a.folds, b.folds].concat(),
         }),
         (a, b) => a.or(b),

@@ -43,7 +43,7 @@ pub(super) fn taken(mut decoded: Decoded, options: &ReadOptions) -> (Decoded, Ta
 fn replaced(decoded: &mut Decoded, faces: &Faces, points: MeshPoints) -> Option<Sampled> {
     let found = sample(&decoded.cloud.positions, faces, points)?;
     decoded.cloud.positions = found.points;
-    Some(Sampled { faces: faces.len(), spacing: found.spacing, folds: found.folds })
+    Some(Sampled { faces: faces.len(), spacing: found.spacing, feature: found.feature, folds: found.folds })
 }
 
 /// Takes the faces whose vertices are all there, and warns of the others.

@@ -47,7 +47,8 @@ pub struct Reading {
     #[arg(long, value_name = "N", conflicts_with = "sample", value_parser = parse::count)]
     pub scan: Option<usize>,
     /// Sample a mesh over its faces by this many points [default: so that its smallest edges and faces get ten spacings, between
-    /// 20,000 and 200,000, 50,000 for a mesh of few triangles; its vertices alone where they are dense]
+    /// 20,000 and 200,000, 50,000 for a mesh of few triangles, 30,000 for a heap of facets most of which would not show; its vertices
+    /// alone where they are dense]
     #[arg(long, value_name = "N", conflicts_with_all = ["sample", "vertices"], value_parser = parse::samples)]
     pub samples: Option<usize>,
     /// Take the vertices of a mesh alone, however few they are
