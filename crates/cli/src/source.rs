@@ -1,5 +1,6 @@
 //! Where the points come from: a file, standard input, or a generated scan.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::io::Write;
@@ -8,7 +9,7 @@ use std::time::Instant;
 
 use lineament::mesh::{Fold, MeshPoints};
 use lineament::{Cloud, shapes};
-use lineament_io::{LasFrame, Planned, ReadOptions, Sampled, read};
+use lineament_io::{LasFrame, Planned, ReadOptions, Sampled, Unit, read};
 
 use crate::args::{Reading, Source};
 use crate::config::near;
@@ -38,6 +39,9 @@ pub struct Input {
     /// The coordinate reference system, and how a LAS file stores its coordinates, for outputs that are to be like it.
     pub crs: Option<String>,
     pub epsg: Option<u32>,
+    /// The definition of the system in well-known text, and the unit of the coordinates, where they are known.
+    pub wkt: Option<String>,
+    pub unit: Option<Unit>,
     pub las: Option<LasFrame>,
     /// The mesh that the points were sampled on.
     pub sampled: Option<Sampled>,
@@ -47,6 +51,8 @@ pub struct Input {
     pub format: Option<(String, u64)>,
     /// The missing part of a salvaged file.
     pub missing: Option<String>,
+    /// Points that were left out as the file itself flags them as withheld or noise.
+    pub noise: usize,
     /// What makes it doubtful that the points are those that were meant; a sentence each.
     pub warnings: Vec<String>,
     /// What was passed over in the file; a sentence each.
@@ -61,6 +67,12 @@ impl Input {
     /// The coordinate reference system for outputs: `EPSG:` and its code, or its name.
     pub fn reference(&self) -> Option<String> {
         self.epsg.map(|code| format!("EPSG:{code}")).or_else(|| self.crs.clone())
+    }
+
+    /// What LAS outputs take over from the input: how it stores coordinates, or at least its reference system.
+    pub fn frame(&self) -> Option<Cow<'_, LasFrame>> {
+        let placed = || LasFrame::of_system(self.epsg, self.wkt.as_deref()).map(Cow::Owned);
+        self.las.as_ref().map(Cow::Borrowed).or_else(placed)
     }
 
     /// The edges at which the mesh folds that the points were sampled on; none of a scan.
@@ -203,12 +215,15 @@ fn with_reading(options: &ReadOptions, reading: &Reading) -> ReadOptions {
         salvage: reading.salvage,
         memory: reading.memory,
         classes: reading.class.clone(),
+        without_noise: options.without_noise && !reading.all_points,
         returns: reading.returns,
         scan: reading.scan,
         every: reading.every,
         voxel: reading.voxel,
         bounds: reading.bounds,
         format: reading.input_format,
+        columns: reading.columns.clone(),
+        crs: reading.crs,
         mesh: Some(match reading.samples {
             _ if reading.vertices => MeshPoints::Vertices,
             Some(count) => MeshPoints::Sampled(count),
@@ -229,11 +244,14 @@ fn from_file(path: &Path, name: String, options: &ReadOptions) -> Result<Input, 
         sha256: scan.sha256,
         crs: scan.crs,
         epsg: scan.epsg,
+        wkt: scan.wkt,
+        unit: scan.unit,
         las: scan.las,
         sampled: scan.sampled,
         planned: scan.planned,
         format: Some((scan.format.to_string(), scan.bytes)),
         missing: scan.missing.map(|m| format!("the file ends early: {m}")),
+        noise: scan.noise,
         warnings: scan.warnings,
         remarks: scan.ignored,
         beside: scan.beside,
@@ -256,11 +274,14 @@ fn from_sample(sample: &str, seed: u64, name: String) -> Result<Input, Failure> 
         sha256: None,
         crs: None,
         epsg: None,
+        wkt: None,
+        unit: None,
         las: None,
         sampled: None,
         planned: None,
         format: None,
         missing: None,
+        noise: 0,
         warnings: Vec::new(),
         remarks: Vec::new(),
         beside: Vec::new(),

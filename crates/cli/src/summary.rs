@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use lineament::{Extraction, Network, NodeKind, Related, RelationKind, Report, StripKind};
-use lineament_io::{NetworkContext, NetworkFormat, network_format};
+use lineament_io::{NetworkFormat, PointFormat, PointTable, Unit, network_format, point_format};
 
 use crate::source::Input;
 
@@ -16,6 +16,7 @@ pub fn of(input: &Input, extraction: &Extraction, verbose: bool) -> Vec<String> 
 pub fn chosen(input: &Input, extraction: &Extraction, verbose: bool, left_out: Vec<String>) -> Vec<String> {
     let report = &extraction.report;
     let mut lines = vec![points(input, report)];
+    lines.extend(noise(input));
     lines.extend(report.surface.unused(report.read));
     lines.extend([resolution(report), counts(&extraction.network)]);
     lines.extend(related(&extraction.related));
@@ -83,20 +84,46 @@ pub fn unplaced(input: &Input, outputs: &[PathBuf]) -> Option<String> {
         Some(crs) => format!("no EPSG code is known for `{crs}`"),
         None => "the input states none".into(),
     };
+    let why = format!("{why} (--crs EPSG:N names it)");
     Some(format!("warning: {} has no coordinate reference system: {why}", output.display()))
 }
 
-/// A warning where STEP states a unit that nobody told.
-pub fn unmeasured(context: &NetworkContext, outputs: &[PathBuf]) -> Option<String> {
-    let step = |path: &&PathBuf| network_format(path).is_ok_and(|format| format == NetworkFormat::Step);
-    let output = outputs.iter().find(step).filter(|_| context.known_unit().is_none())?;
-    Some(format!("warning: {} states millimetres, as no unit is known: --unit tells it", output.display()))
+/// A warning where outputs of CAD state a unit that nobody told, or none.
+pub fn unmeasured(unit: Option<Unit>, outputs: &[PathBuf]) -> Option<String> {
+    let of = |format: NetworkFormat| {
+        outputs.iter().find(|path| network_format(path).is_ok_and(|f| f == format)).filter(|_| unit.is_none())
+    };
+    let states = |format, what| of(format).map(|path| format!("{} states {what}", path.display()));
+    let parts = [states(NetworkFormat::Dxf, "no unit"), states(NetworkFormat::Step, "millimetres")];
+    let all: Vec<String> = parts.into_iter().flatten().collect();
+    let why = "as none is known: --unit tells it, or --crs where the coordinates are those of a map";
+    (!all.is_empty()).then(|| format!("warning: {}, {why}", all.join(" and ")))
+}
+
+/// A note where LAS outputs are of another version than the LAS input.
+pub fn other_version(table: &PointTable, outputs: &[PathBuf]) -> Option<String> {
+    let is_las = |path: &&PathBuf| matches!(point_format(path), Ok(PointFormat::Las | PointFormat::Laz));
+    let output = outputs.iter().find(is_las)?;
+    let (before, now) = (table.las.filter(|frame| frame.is_stored())?.minor, table.las_version()?);
+    (before != now).then(|| {
+        let why = if now == 4 { ", which holds all columns" } else { "" };
+        format!("note: {} is of version 1.{now}{why}: the input is of 1.{before}", output.display())
+    })
 }
 
 /// Ratio of the spacings that nine in ten points lie between from which on both are told.
 const UNEVEN: f64 = 2.0;
 /// Extensions of outputs for maps.
 const MAPS: [&str; 2] = ["geojson", "gpkg"];
+
+/// How many points the file itself says are none of the scene.
+pub fn noise(input: &Input) -> Option<String> {
+    let count = Some(input.noise).filter(|count| *count > 0)?;
+    let count = plural(count, "point");
+    Some(format!(
+        "left out: {count} flagged as withheld or classed as noise in the file (--all-points keeps them)"
+    ))
+}
 
 /// What was read.
 pub fn points(input: &Input, report: &Report) -> String {
@@ -223,6 +250,12 @@ pub fn grouped(number: usize) -> String {
     text
 }
 
+/// A position, to a tenth of the spacing at least, so that it can be found in the cloud.
+pub fn position(value: f64, spacing: f64) -> String {
+    let decimals = if spacing > 0.0 { (1.0 - spacing.log10().floor()).clamp(0.0, 12.0) } else { 6.0 };
+    format!("{value:.0$}", decimals as usize)
+}
+
 /// A number with four significant digits.
 pub fn figure(value: f64) -> String {
     let size = value.abs();
@@ -245,6 +278,13 @@ mod tests {
         assert_eq!(grouped(0), "0");
         assert_eq!(grouped(999), "999");
         assert_eq!(grouped(1_234_567), "1,234,567");
+    }
+
+    #[test]
+    fn positions_have_the_digits_of_a_tenth_of_the_spacing() {
+        assert_eq!(position(1317.437, 0.02), "1317.437");
+        assert_eq!(position(3_106_123.456, 0.5), "3106123.46");
+        assert_eq!(position(3_106_123.456, 500.0), "3106123");
     }
 
     #[test]

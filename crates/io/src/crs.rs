@@ -1,8 +1,13 @@
 //! Coordinate reference systems: the code of the EPSG register from well-known text (OGC 01-009 and ISO 19162), from names
-//! that stand for one, and how outputs name it.
+//! that stand for one, what coordinates are measured in, and how outputs name it.
+
+mod register;
+mod wkt;
 
 use crate::number::integer;
 use std::ops::RangeInclusive;
+
+pub(crate) use register::SURVEY_FOOT;
 
 /// Codes of the register; those beyond are of private use.
 const CODES: RangeInclusive<u64> = 1024..=32766;
@@ -24,16 +29,24 @@ const UTM: [Zones; 3] = [
     Zones { name: "etrs89", geographic: 4258, north: (28..=38, 25800), south: None },
     Zones { name: "nad83", geographic: 4269, north: (1..=23, 26900), south: None },
 ];
-/// Elements of well-known text that are no system themselves but hold one first.
-const AROUND: [&str; 3] = ["BOUNDCRS", "SOURCECRS", "COMPD_CS"];
 
 /// A reference system as an input states it.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Crs {
     /// The code in the EPSG register.
     pub code: Option<u64>,
     pub name: Option<String>,
     pub wkt: Option<String>,
+    /// As the input states it; [`Crs::measure`] asks the register too.
+    pub stated: Option<Measure>,
+}
+
+/// What the horizontal coordinates of a system are measured in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Measure {
+    Degrees,
+    /// A unit of length, by its metres where they are known.
+    Length(Option<f64>),
 }
 
 impl Crs {
@@ -46,18 +59,25 @@ impl Crs {
         if let Some(code) = reference(text) {
             return Crs { code: Some(code), ..Crs::default() };
         }
-        match Element::parse(text, 0) {
-            Some(element) if !element.children.is_empty() => {
-                let name = element.name().map(String::from);
-                Crs { code: element.code(0), name, wkt: Some(text.into()) }
-            }
-            _ => Crs { code: utm(text), name: Some(text.into()), wkt: None },
+        match wkt::parse(text) {
+            Some(crs) => crs,
+            None => Crs { code: utm(text), name: Some(text.into()), ..Crs::default() },
         }
     }
 
     /// From the code that GeoTIFF keys give, if it is one of the register.
     pub fn of_code(code: u64) -> Option<Crs> {
         CODES.contains(&code).then(|| Crs { code: Some(code), ..Crs::default() })
+    }
+
+    /// Whether the input says nothing of its system.
+    pub fn is_none(&self) -> bool {
+        self.code.is_none() && self.name.is_none() && self.wkt.is_none()
+    }
+
+    /// What coordinates are measured in, as the input states it or by the register.
+    pub fn measure(&self) -> Option<Measure> {
+        self.stated.or_else(|| register::measure(self.code?))
     }
 
     /// `EPSG:` and the code, or the name.
@@ -74,14 +94,6 @@ pub(crate) fn zone(geographic: u64, projection: u64) -> Option<u64> {
         16101..=16160 => system.code(projection - 16100, true),
         _ => None,
     }
-}
-
-/// Whether a code of the register is a UTM zone.
-pub(crate) fn is_utm(code: u64) -> bool {
-    UTM.iter()
-        .flat_map(|system| [Some(&system.north), system.south.as_ref()])
-        .flatten()
-        .any(|(zones, zero)| code.checked_sub(*zero).is_some_and(|zone| zones.contains(&zone)))
 }
 
 impl Zones {
@@ -117,6 +129,19 @@ pub(crate) fn reference(text: &str) -> Option<u64> {
     integer(last.trim().as_bytes()).filter(|code| CODES.contains(code))
 }
 
+/// The code of a horizontal system of the EPSG register that `EPSG:25832`, `25832` or a URN names; `None` if there is no such system.
+///
+/// ```
+/// assert_eq!(lineament_io::reference_code("EPSG:25832"), Some(25832));
+/// assert_eq!(lineament_io::reference_code("EPSG:99999"), None);
+/// ```
+pub fn reference_code(text: &str) -> Option<u32> {
+    let text = text.trim();
+    let code = reference(text).or_else(|| integer(text.as_bytes()))?;
+    register::measure(code)?;
+    code.try_into().ok()
+}
+
 /// The code of a UTM zone by the name of its system, as OGC and ESRI spell it.
 fn utm(name: &str) -> Option<u64> {
     let plain: String =
@@ -129,81 +154,6 @@ fn utm(name: &str) -> Option<u64> {
     let system = UTM.iter().find(|system| system.name == start)?;
     let number = integer(zone.strip_suffix(['n', 's'])?.as_bytes())?;
     system.code(number, zone.ends_with('s'))
-}
-
-/// An element of well-known text: `KEYWORD[...]`.
-struct Element<'a> {
-    keyword: &'a str,
-    children: Vec<Part<'a>>,
-}
-
-enum Part<'a> {
-    Element(Element<'a>),
-    /// Text in quotes, a number or a word.
-    Value(&'a str),
-}
-
-/// Elements inside each other beyond which text is none.
-const DEEPEST: usize = 16;
-
-impl<'a> Element<'a> {
-    fn parse(text: &'a str, depth: usize) -> Option<Element<'a>> {
-        let open = text.find(['[', '('])?;
-        let inner = text[open + 1..].trim_end().strip_suffix([']', ')'])?;
-        let keyword = text[..open].trim();
-        if depth > DEEPEST || !keyword.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_') {
-            return None;
-        }
-        let part = |part: &'a str| match Element::parse(part, depth + 1) {
-            Some(element) if !part.starts_with('"') => Part::Element(element),
-            _ => Part::Value(part.trim_matches('"')),
-        };
-        Some(Element { keyword, children: split(inner).map(part).collect() })
-    }
-
-    fn name(&self) -> Option<&'a str> {
-        match self.children.first() {
-            Some(Part::Value(name)) => Some(name),
-            Some(Part::Element(element)) => element.name(),
-            None => None,
-        }
-    }
-
-    fn elements(&self) -> impl Iterator<Item = &Element<'a>> {
-        self.children.iter().filter_map(|part| if let Part::Element(e) = part { Some(e) } else { None })
-    }
-
-    /// The code of this system, or of the first one in it where it is none itself: of a compound one the horizontal system.
-    fn code(&self, depth: usize) -> Option<u64> {
-        let own =
-            self.elements().find(|e| ["AUTHORITY", "ID"].iter().any(|k| e.keyword.eq_ignore_ascii_case(k)));
-        let code = own.and_then(|own| match own.children.as_slice() {
-            [Part::Value(register), Part::Value(code), ..] if register.eq_ignore_ascii_case("EPSG") => {
-                integer(code.as_bytes())
-            }
-            _ => None,
-        });
-        let holds = AROUND.iter().any(|k| self.keyword.eq_ignore_ascii_case(k))
-            || self.keyword.eq_ignore_ascii_case("COMPOUNDCRS");
-        let inner = || self.elements().next().filter(|_| holds && depth < DEEPEST)?.code(depth + 1);
-        let named = || self.name().and_then(utm);
-        code.filter(|code| CODES.contains(code)).or_else(inner).or_else(named)
-    }
-}
-
-/// The parts between commas, those in quotes and in brackets apart.
-fn split(text: &str) -> impl Iterator<Item = &str> {
-    let (mut depth, mut quoted) = (0i32, false);
-    text.split(move |c: char| {
-        match c {
-            '"' => quoted = !quoted,
-            '[' | '(' if !quoted => depth += 1,
-            ']' | ')' if !quoted => depth -= 1,
-            _ => {}
-        }
-        c == ',' && !quoted && depth == 0
-    })
-    .map(str::trim)
 }
 
 #[cfg(test)]

@@ -24,6 +24,7 @@ mod source;
 mod unit;
 mod write;
 
+pub use crs::reference_code;
 pub use error::{Error, Place};
 pub use format::{
     FORMATS, FileFormat, Format, GraphFormat, MeshFormat, NetworkFormat, PatchFormat, PointFormat,

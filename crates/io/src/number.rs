@@ -113,6 +113,14 @@ pub(crate) fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b'\r')
 }
 
+/// Bytes as text: UTF-8, or else Latin-1, in which every byte is a sign.
+pub(crate) fn text(bytes: &[u8]) -> String {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => text.into(),
+        Err(_) => bytes.iter().map(|&byte| char::from(byte)).collect(),
+    }
+}
+
 /// At most 40 bytes of a token as text for a message, unprintable ones escaped.
 pub(crate) fn shown(bytes: &[u8]) -> String {
     let short = &bytes[..bytes.len().min(40)];

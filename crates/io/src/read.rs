@@ -17,6 +17,7 @@ mod obj;
 mod off;
 mod parquet;
 mod pcd;
+mod place;
 mod ply;
 mod ptx;
 mod raster;
@@ -27,9 +28,11 @@ mod stl;
 mod table;
 pub(crate) mod zip;
 
+use crate::crs::Crs;
 use crate::error::{Error, printable};
 use crate::format::Format;
 use crate::source::Source;
+use crate::unit::Unit;
 use lineament::Cloud;
 use lineament::mesh::{Faces, Fold, MeshPlan, MeshPoints};
 use std::fmt;
@@ -50,6 +53,9 @@ pub struct ReadOptions {
     pub memory: Option<u64>,
     /// Keep only points of these classes (LAS 1.4 R15, table 9); none keeps all.
     pub classes: Vec<u8>,
+    /// Leave out the points of a LAS input that are flagged as withheld or, without `classes`, classed as noise (7, 18);
+    /// `Scan::noise` counts them.
+    pub without_noise: bool,
     /// Keep only these returns of each pulse.
     pub returns: Option<Returns>,
     /// Read only this scan of an input that holds several, counted from 1.
@@ -62,6 +68,10 @@ pub struct ReadOptions {
     pub bounds: Option<[[f64; 3]; 2]>,
     /// Take the input for this format, whatever it looks like.
     pub format: Option<Format>,
+    /// The columns of x, y and z in a table, by name or by number from 1 on.
+    pub columns: Option<[String; 3]>,
+    /// The coordinate reference system by its code in the EPSG register, which goes over that of the input.
+    pub crs: Option<u32>,
     /// The points to take of a mesh; `None` takes its vertices and does not read the faces.
     pub mesh: Option<MeshPoints>,
     /// Only tell what sampling a mesh would give, and take its vertices; not where `every`, `voxel` or `bounds` choose points.
@@ -87,12 +97,15 @@ impl Default for ReadOptions {
             hash: false,
             memory: None,
             classes: Vec::new(),
+            without_noise: false,
             returns: None,
             scan: None,
             every: None,
             voxel: None,
             bounds: None,
             format: None,
+            columns: None,
+            crs: None,
             mesh: None,
             plan: false,
         }
@@ -121,10 +134,16 @@ pub struct Scan {
     pub beside: Vec<PathBuf>,
     /// What is missing of an input that ended early; only with `ReadOptions::salvage`.
     pub missing: Option<Missing>,
+    /// Points that were left out as withheld or noise; only with `ReadOptions::without_noise`.
+    pub noise: usize,
     /// The coordinate reference system by its name or as `EPSG:` and a code, where the input states one.
     pub crs: Option<String>,
     /// Its code in the EPSG register, where the input states it or names a system that has one.
     pub epsg: Option<u32>,
+    /// Its definition in well-known text, where the input or a `.prj` file beside it holds one.
+    pub wkt: Option<String>,
+    /// The unit of the coordinates, where the format or the reference system fixes it.
+    pub unit: Option<Unit>,
     /// How a LAS or LAZ input stores its coordinates, for outputs that are to be like it.
     pub las: Option<LasFrame>,
     /// SHA-256 of all bytes of the input in hexadecimal, if `ReadOptions::hash` asked for it.
@@ -184,8 +203,10 @@ pub(crate) struct Decoded {
     pub warnings: Vec<String>,
     pub beside: Vec<PathBuf>,
     pub missing: Option<Missing>,
-    pub crs: Option<String>,
-    pub epsg: Option<u32>,
+    pub noise: usize,
+    /// The reference system, and the unit of length where the format fixes it.
+    pub crs: Crs,
+    pub unit: Option<Unit>,
     pub las: Option<LasFrame>,
 }
 
@@ -209,6 +230,7 @@ impl Decoded {
 
 pub use faces::{MeshFile, read_mesh};
 pub use join::read_all;
+pub(crate) use las::WKT;
 pub use las::{LasFrame, Record as LasRecord};
 pub use lines::{LineFile, read_lines};
 pub use marks::read_marks;
@@ -259,6 +281,10 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         let what = format!("{format} holds no scans to choose from");
         return Err(Error::Unsupported { name, what, advice: "read it without --scan".into() });
     }
+    if options.columns.is_some() && format != Format::Table {
+        let what = format!("{format} holds no table whose columns could be told");
+        return Err(Error::Unsupported { name, what, advice: "read it without --columns".into() });
+    }
     let filters = !options.classes.is_empty() || options.returns.is_some();
     // Readers of columns; what filters need is dropped below.
     let all = ReadOptions { attributes: true, ..options.clone() };
@@ -266,7 +292,10 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
     let decoded = by_format(&mut source, format, options)?;
     source.drain()?;
     let (decoded, mesh::Taken { sampled, planned }) = mesh::taken(decoded, options);
-    let Decoded { mut cloud, ignored, warnings, beside, missing, crs, epsg, las, .. } = decoded;
+    let mut decoded = decoded;
+    place::settle(&source, options, &mut decoded)?;
+    let Decoded { mut cloud, ignored, warnings, beside, missing, noise, crs, unit, las, .. } = decoded;
+    let unit = unit.or_else(|| Unit::of_system(&crs));
     let shown = |all: Vec<String>| -> Vec<String> { all.iter().map(|what| printable(what)).collect() };
     let (mut ignored, mut warnings) = (shown(ignored), shown(warnings));
     select::select(&name, &mut cloud, options, &mut ignored, &mut warnings)?;
@@ -286,8 +315,11 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         warnings,
         beside,
         missing,
-        crs,
-        epsg,
+        noise,
+        crs: crs.name.clone().or_else(|| crs.short()),
+        epsg: crs.code.and_then(|code| code.try_into().ok()),
+        wkt: crs.wkt,
+        unit,
         las,
         sha256,
         bytes,

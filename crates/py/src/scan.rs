@@ -150,7 +150,7 @@ pub fn read(py: Python<'_>, path: PathBuf, options: Options) -> PyResult<ScanOut
         beside: scan.beside,
         crs: scan.crs,
         epsg: scan.epsg,
-        crs_wkt: scan.las.as_ref().and_then(LasFrame::wkt),
+        crs_wkt: scan.wkt,
         las: scan.las.map(|las| Py::new(py, Las(las))).transpose()?,
         sha256: scan.sha256,
         sampled: scan.sampled.as_ref().map(|s| (s.faces, s.spacing)),
@@ -183,7 +183,7 @@ impl Options {
             bounds: self.bounds,
             format: self.format.map(format).transpose()?,
             mesh: Some(mesh),
-            plan: false,
+            ..ReadOptions::default()
         })
     }
 }

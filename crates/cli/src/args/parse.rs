@@ -79,6 +79,20 @@ pub fn format(text: &str) -> Result<Format, String> {
     })
 }
 
+/// Three names or numbers of columns.
+pub fn columns(text: &str) -> Result<[String; 3], String> {
+    let parts: Vec<String> = text.split(',').map(|part| part.trim().into()).collect();
+    let three = <[String; 3]>::try_from(parts).ok().filter(|parts| parts.iter().all(|part| !part.is_empty()));
+    three.ok_or_else(|| "write the columns of x, y and z: 2,3,4 or their names".into())
+}
+
+/// The code of a reference system.
+pub fn reference(text: &str) -> Result<u32, String> {
+    lineament_io::reference_code(text).ok_or_else(|| {
+        "expected the code of a horizontal reference system of the EPSG register, such as EPSG:25832".into()
+    })
+}
+
 /// The returns of a pulse.
 pub fn returns(text: &str) -> Result<Returns, String> {
     match text {

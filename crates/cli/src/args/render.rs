@@ -72,7 +72,7 @@ pub struct Render {
     /// Draw a scale bar
     #[arg(long)]
     pub scale_bar: bool,
-    /// Unit of the input that the scale bar names: mm, cm, m, in or ft
+    /// Unit of the input that the scale bar names: mm, cm, m, in, ft or us-ft
     #[arg(long, value_parser = parse::unit, requires = "scale_bar")]
     pub unit: Option<Unit>,
     /// Leave out the caption with the meaning of the colours

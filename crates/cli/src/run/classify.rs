@@ -58,8 +58,9 @@ fn one(work: &Work, args: &Classify, origin: &Origin, outputs: &[PathBuf]) -> Re
         input.cloud.attributes.extend((0..Detector::ALL.len()).map(|which| attribute(&every, which)));
     }
     let classes = page::numbers(&found.classes);
+    let frame = input.frame();
     let table =
-        PointTable { cloud: &input.cloud, classes: &classes, scores: &found.scores, las: input.las.as_ref() };
+        PointTable { cloud: &input.cloud, classes: &classes, scores: &found.scores, las: frame.as_deref() };
     let (inputs, provenance) = (work.inputs_with(&input), page::provenance(&input));
     let report = Report {
         cloud: Some(&input.cloud),
@@ -76,6 +77,7 @@ fn one(work: &Work, args: &Classify, origin: &Origin, outputs: &[PathBuf]) -> Re
     }
     let mut lines = found.lines;
     lines.push(counts(&classes));
+    lines.extend(summary::other_version(&table, outputs));
     lines.push(summary::written(outputs));
     let seconds = start.elapsed().as_secs_f64();
     Ok(Done { lines, row: summary::row(input.cloud.len(), found.network.as_ref(), seconds) })

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use lineament::{Cleaned, clean};
 use lineament_io::{
-    PointFormat, ReadOptions, Report, label_clutter, point_format, write_cleaned, write_report,
+    PointFormat, PointTable, ReadOptions, Report, label_clutter, point_format, write_cleaned, write_report,
 };
 
 use super::page;
@@ -46,6 +46,8 @@ fn one(work: &Work, args: &args::Clean, origin: &Origin, outputs: &[PathBuf]) ->
     }
     let mut lines = vec![summary::points(&input, &found.report), summary::resolution(&found.report)];
     lines.push(counts(&found, args.label));
+    let table = PointTable { cloud: &input.cloud, classes: &[], scores: &[], las: input.las.as_ref() };
+    lines.extend(summary::other_version(&table, outputs));
     lines.extend(found.report.notes.iter().map(|note| format!("note: {note}")));
     lines.extend(summary::warnings(&input));
     if work.args.running.verbose {
@@ -59,7 +61,7 @@ fn one(work: &Work, args: &args::Clean, origin: &Origin, outputs: &[PathBuf]) ->
 /// Writes one output.
 fn write(path: &Path, inputs: &[PathBuf], input: &Input, labels: &[u8]) -> Result<(), lineament_io::Error> {
     if point_format(path)? != PointFormat::Html {
-        return write_cleaned(path, inputs, &input.cloud, labels, input.las.as_ref());
+        return write_cleaned(path, inputs, &input.cloud, labels, input.frame().as_deref());
     }
     let provenance = page::provenance(input);
     let report =

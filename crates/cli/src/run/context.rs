@@ -2,7 +2,7 @@
 
 use lineament::params::ParamValue;
 use lineament::{Extraction, Params};
-use lineament_io::{LasFrame, NetworkContext, Parameter};
+use lineament_io::{NetworkContext, Parameter};
 
 use crate::source::Input;
 
@@ -19,7 +19,8 @@ pub fn context(input: &Input, params: &Params, found: &Extraction) -> NetworkCon
         spacing: found.report.spacing,
         noise: Some(found.report.noise),
         crs: input.reference(),
-        crs_wkt: input.las.as_ref().and_then(LasFrame::wkt),
+        crs_wkt: input.wkt.clone(),
+        unit: input.unit,
         patches: found.patches.clone(),
         related: found.related.clone(),
         ..NetworkContext::default()

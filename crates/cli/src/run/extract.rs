@@ -51,7 +51,8 @@ fn one(
 ) -> Result<Done, Failure> {
     let start = Instant::now();
     let hash = outputs.iter().any(|path| matches!(network_format(path), Ok(NetworkFormat::Json)));
-    let input = work.load(origin, &ReadOptions { attributes: false, hash, ..Default::default() })?;
+    let input = work
+        .load(origin, &ReadOptions { attributes: false, without_noise: true, hash, ..Default::default() })?;
     let mut found = work.extract(origin, &input)?;
     let left_out = choose(args, &input.cloud, &mut found);
     let mut lines = summary::chosen(&input, &found, work.args.running.verbose, left_out);
@@ -60,7 +61,7 @@ fn one(
     let context = NetworkContext {
         view,
         millimetres: args.millimetres,
-        unit: args.cad.stated.unit,
+        unit: args.cad.stated.unit.or(input.unit),
         step: args.cad.step_protocol,
         first_schema: args.schema == 1,
         ..context(&input, &work.params, &found)
@@ -78,7 +79,7 @@ fn one(
     let staged = stages::write(work, args.stages.as_deref(), origin, &input.cloud, &found)?;
     let [wrote, total] = [writing, start].map(|t| t.elapsed().as_secs_f64());
     lines.extend(summary::unplaced(&input, outputs));
-    lines.extend(summary::unmeasured(&context, outputs));
+    lines.extend(summary::unmeasured(context.known_unit(), outputs));
     lines.push(summary::times(&input, &found.report, wrote, total));
     let also: Vec<PathBuf> = listed.into_iter().chain(staged).collect();
     lines.push(summary::written(&[outputs, &also].concat()));

@@ -59,13 +59,13 @@ fn file_lines(text: &mut String, input: &Input) {
     if let Some(las) = &input.las {
         line(text, "version", format!("1.{}, point format {}", las.minor, las.point_format));
     }
-    match (&input.crs, input.epsg) {
-        (Some(crs), Some(code)) if *crs != format!("EPSG:{code}") => {
-            line(text, "reference", format!("{crs} (EPSG:{code})"));
-        }
-        (Some(crs), _) => line(text, "reference", crs),
-        (None, _) => {}
-    }
+    let reference = match (&input.crs, input.epsg) {
+        (Some(crs), Some(code)) if *crs != format!("EPSG:{code}") => Some(format!("{crs} (EPSG:{code})")),
+        (crs, _) => crs.clone(),
+    };
+    reference.iter().for_each(|reference| line(text, "reference", reference));
+    input.unit.iter().for_each(|unit| line(text, "unit", unit.sign()));
+    input.beside.iter().for_each(|path| line(text, "read too", path.display()));
     match (&input.planned, &input.sampled) {
         (Some(Planned { faces, plan }), _) => {
             line(text, "faces", grouped(*faces));

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use lineament::{Class, Extraction};
-use lineament_io::{Error, LasFrame, NetworkContext, NetworkFormat, Report, network_format, write_report};
+use lineament_io::{Error, NetworkContext, NetworkFormat, Report, network_format, write_report};
 
 use crate::source::Input;
 
@@ -55,7 +55,8 @@ pub fn provenance(input: &Input) -> NetworkContext {
         input_sha256: input.sha256.clone(),
         input_points: input.cloud.len() as u64,
         crs: input.reference(),
-        crs_wkt: input.las.as_ref().and_then(LasFrame::wkt),
+        crs_wkt: input.wkt.clone(),
+        unit: input.unit,
         ..NetworkContext::default()
     }
 }

@@ -39,17 +39,19 @@ fn one(work: &Work, args: &args::Patches, origin: &Origin, outputs: &[PathBuf]) 
         |wanted: fn(PatchFormat) -> bool| outputs.iter().any(|path| patch_format(path).is_ok_and(wanted));
     let attributes = is(|f| matches!(f, PatchFormat::Points(_)));
     let hash = is(|f| f == PatchFormat::Json);
-    let mut input = work.load(origin, &ReadOptions { attributes, hash, ..Default::default() })?;
+    let mut input =
+        work.load(origin, &ReadOptions { attributes, without_noise: true, hash, ..Default::default() })?;
     let found = work.extract(origin, &input)?;
     let context = NetworkContext {
-        unit: args.cad.stated.unit,
+        unit: args.cad.stated.unit.or(input.unit),
         step: args.cad.step_protocol,
         ..context(&input, &work.params, &found)
     };
     let labels = found.patch_labels();
     input.cloud.attributes.insert(0, Attribute { name: "patch".into(), values: labels_column(&labels) });
     let classes: Vec<u8> = found.classes().into_iter().map(|class| class as u8).collect();
-    let table = PointTable { cloud: &input.cloud, classes: &classes, scores: &[], las: input.las.as_ref() };
+    let frame = input.frame();
+    let table = PointTable { cloud: &input.cloud, classes: &classes, scores: &[], las: frame.as_deref() };
     let writing = Instant::now();
     let inputs = work.inputs_with(&input);
     for path in outputs {
@@ -63,7 +65,8 @@ fn one(work: &Work, args: &args::Patches, origin: &Origin, outputs: &[PathBuf]) 
     let mut lines = summary::of(&input, &found, work.args.running.verbose);
     lines.extend(found.patches.as_ref().map(|p| counts(p, &found)));
     lines.extend(summary::unplaced(&input, outputs));
-    lines.extend(summary::unmeasured(&context, outputs));
+    lines.extend(summary::other_version(&table, outputs));
+    lines.extend(summary::unmeasured(context.known_unit(), outputs));
     lines.extend(found.patches.as_ref().filter(|_| is(|f| f == PatchFormat::Step)).map(|p| faces(p, &found)));
     lines.push(summary::times(&input, &found.report, wrote, total));
     lines.push(summary::written(&[outputs, &staged].concat()));

@@ -118,7 +118,8 @@ fn of_lines(work: &Work, path: &Path, mesh: Option<&io::MeshFile>) -> Result<Sho
 
 /// Points, and lines that are computed or read.
 fn of_points(work: &Work, origin: &Origin, args: &Render) -> Result<Shown, Failure> {
-    let input = work.load(origin, &io::ReadOptions { attributes: false, ..Default::default() })?;
+    let input =
+        work.load(origin, &io::ReadOptions { attributes: false, without_noise: true, ..Default::default() })?;
     let mut shown = Shown { inputs: work.inputs_with(&input), up: Some(input.up()), ..Shown::default() };
     let (found, network) = match args.network.to_str() {
         Some("none") => (None, None),

@@ -55,7 +55,10 @@ fn one(
     outputs: &[PathBuf],
 ) -> Result<Done, Failure> {
     let start = Instant::now();
-    let input = work.load(origin, &ReadOptions { attributes: false, hash: true, ..Default::default() })?;
+    let input = work.load(
+        origin,
+        &ReadOptions { attributes: false, without_noise: true, hash: true, ..Default::default() },
+    )?;
     let found = work.extract(origin, &input)?;
     let cut = |params| progress::sectioned(&input.cloud, params, work.args.running.quiet);
     let cut = slicing.map(cut).transpose().map_err(|e| Failure::from(e).at(origin.shown()))?;

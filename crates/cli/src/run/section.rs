@@ -4,9 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use lineament::section::{SectionParams, Zero};
-use lineament_io::{
-    LasFrame, Report, SectionContext, SectionFormat, section_format, write_report, write_sections,
-};
+use lineament_io::{Report, SectionContext, SectionFormat, section_format, write_report, write_sections};
 
 use super::page;
 use super::slicing::{HEADER, cut, row, said};
@@ -53,9 +51,9 @@ fn one(
         input_sha256: input.sha256.clone(),
         input_points: input.cloud.len() as u64,
         crs: input.reference(),
-        crs_wkt: input.las.as_ref().and_then(LasFrame::wkt),
+        crs_wkt: input.wkt.clone(),
         millimetres: args.millimetres,
-        unit: args.stated.unit,
+        unit: args.stated.unit.or(input.unit),
         stack,
     };
     for path in outputs {
@@ -74,6 +72,7 @@ fn one(
         lines.push("warning: no floor: no large level face with little of the surface below it".into());
     }
     lines.extend(summary::unplaced(&input, outputs));
+    lines.extend(summary::unmeasured(context.known_unit(), outputs));
     lines.push(format!("{:.2} s", start.elapsed().as_secs_f64()));
     lines.push(summary::written(outputs));
     Ok(Done { lines, row: row(&input, &sections, start) })

@@ -16,4 +16,5 @@ mod report;
 mod same_bytes;
 mod section;
 mod streams;
+mod surveys;
 mod threads;

@@ -14,7 +14,14 @@ const STEP: f64 = 1e-4;
 fn las(points: &[[f64; 3]], offset: [f64; 3], format: PointFormat) -> Vec<u8> {
     let wkt = b"PROJCS[\"ETRS89 / UTM zone 32N\",GEOGCS[\"ETRS89\"]]\0".to_vec();
     let record = LasRecord { user: "LASF_Projection".into(), id: 2112, data: wkt };
-    let frame = LasFrame { minor: 4, scale: [STEP; 3], offset, point_format: 6, records: vec![record] };
+    let frame = LasFrame {
+        minor: 4,
+        scale: [STEP; 3],
+        offset,
+        point_format: 6,
+        records: vec![record],
+        ..LasFrame::default()
+    };
     let cloud = Cloud::new(points.iter().map(|p| std::array::from_fn(|a| p[a] + offset[a])).collect());
     let classes = vec![0; points.len()];
     let table = PointTable { cloud: &cloud, classes: &classes, scores: &[], las: Some(&frame) };

@@ -13,6 +13,7 @@ use crate::crs::Crs;
 use crate::error::{Error, Place};
 use crate::quiet;
 use crate::source::{Shared, Source};
+use crate::unit::Unit;
 use e57::{E57Reader, PointCloud};
 use lineament::{Attribute, Column};
 use packets::Packets;
@@ -50,8 +51,8 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
         return Err(fault(source, 0, "a file without scans".into()));
     }
     let crs = Crs::parse(reader.coordinate_metadata().unwrap_or_default());
-    let epsg = crs.code.and_then(|code| code.try_into().ok());
-    let mut out = Decoded { crs: crs.name.clone().or_else(|| crs.short()), epsg, ..Decoded::default() };
+    // The standard has all lengths in metres.
+    let mut out = Decoded { crs, unit: Some(Unit::Metre), ..Decoded::default() };
     let mut columns = Columns {
         has_color: options.attributes && scans.iter().any(PointCloud::has_color),
         has_intensity: options.attributes && scans.iter().any(PointCloud::has_intensity),

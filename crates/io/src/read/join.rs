@@ -71,6 +71,7 @@ fn add(all: &mut Scan, mut next: Scan) {
         }),
         (a, b) => a.or(b),
     };
+    all.noise += next.noise;
     all.bytes += next.bytes;
     all.sha256 = None;
 }

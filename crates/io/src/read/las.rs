@@ -8,10 +8,13 @@ mod gps;
 mod header;
 mod laz;
 mod median;
+mod noise;
 mod packing;
 mod point14;
 pub(crate) mod points;
 mod records;
+mod unpacker;
+mod walk;
 
 use super::rows::{Grid, Table, room};
 use super::{Decoded, ReadOptions};
@@ -22,6 +25,7 @@ use header::Header;
 use points::Dimension;
 
 pub use header::{LasFrame, Record};
+pub(crate) use records::WKT;
 
 /// Reads a LAS or LAZ input from its first byte.
 pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded, Error> {
@@ -61,14 +65,16 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     note_bounds(&table, &mut out);
     points::finish(&mut table, &dimensions);
     out.cloud = table.into_cloud();
+    out.noise = noise::leave_out(source.name(), &mut out.cloud, options)?;
     note(&header, &frame, options, &mut out);
-    (out.crs, out.epsg) = (frame.crs(), frame.epsg());
+    out.crs = frame.system();
     out.las = Some(frame);
     Ok(out)
 }
 
 fn table(header: &Header, dimensions: &[Dimension], options: &ReadOptions) -> Table {
-    let kept = dimensions.iter().enumerate().skip(3).filter(|_| options.attributes);
+    let wanted = |d: &Dimension| options.attributes || options.without_noise && noise::tells(&d.name);
+    let kept = dimensions.iter().enumerate().skip(3).filter(|(_, d)| wanted(d));
     let attributes = kept.map(|(index, d)| (index, d.name.clone(), d.field.kind)).collect();
     let Header { scale, offset, bounds: (low, high), .. } = *header;
     // A step of the grid beyond the bounds is rounding.

@@ -2,6 +2,7 @@
 //! recognised from the first rows; an ambiguous table is refused, and every later row must fit.
 
 mod layout;
+mod names;
 mod split;
 mod value;
 
@@ -10,9 +11,9 @@ use crate::columns::narrowed;
 use crate::error::Error;
 use crate::number::{integer, shown};
 use crate::source::Source;
-pub(super) use layout::find_axis;
 use layout::{Layout, Role};
 use lineament::Attribute;
+pub(super) use names::{find_axes, known};
 use split::Separator;
 use value::value;
 
@@ -22,7 +23,7 @@ pub(super) fn read(source: &mut Source, options: &ReadOptions) -> Result<Decoded
     if source.peek(3)?.starts_with(b"\xef\xbb\xbf") {
         source.consume(3);
     }
-    let layout = layout::find(source)?;
+    let layout = layout::find(source, options.columns.as_ref())?;
     let mut rows = Rows::new(source, &layout, options);
     for _ in 0..layout.lines_before {
         source.line()?;
@@ -75,7 +76,8 @@ fn finish(
     fault: Option<Fault>,
 ) -> Result<Decoded, Error> {
     let read = rows.positions.len() as u64;
-    let mut out = Decoded { ignored: layout.ignored.clone(), ..Decoded::default() };
+    let mut out =
+        Decoded { ignored: layout.ignored.clone(), warnings: layout.warnings.clone(), ..Decoded::default() };
     if let Some(fault) = fault {
         let last = source.peek(1)?.is_empty();
         if !(options.salvage && last) {

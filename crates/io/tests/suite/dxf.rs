@@ -203,9 +203,10 @@ fn the_unit_is_stated_and_scales_nothing() {
         (variable("$INSUNITS"), variable("$MEASUREMENT"))
     };
     let known: Vec<(u8, u8)> = Unit::ALL.iter().map(|&unit| of(Some(unit), None)).collect();
-    assert_eq!(known, [(4, 1), (5, 1), (6, 1), (1, 0), (2, 0)]);
+    assert_eq!(known, [(4, 1), (5, 1), (6, 1), (1, 0), (2, 0), (21, 0)]);
     assert_eq!(of(None, None).0, 0);
     assert_eq!(of(None, Some("EPSG:25832")), (6, 1));
+    assert_eq!((of(None, Some("EPSG:2056")), of(None, Some("EPSG:2263"))), ((6, 1), (21, 0)));
     assert_eq!(of(Some(Unit::Foot), Some("EPSG:25832")), (2, 0));
 }
 

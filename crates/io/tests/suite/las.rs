@@ -1,6 +1,6 @@
 //! LAS and LAZ inputs of every point format, whole and broken.
 
-use crate::common::las::{file, put};
+use crate::common::las::{file, file_of, length, put, records};
 use crate::common::{from_bytes, shared};
 use lineament::Column;
 use lineament_io::{
@@ -94,6 +94,63 @@ fn cut_anywhere_it_is_an_error() {
     let options = ReadOptions { salvage: true, ..ReadOptions::default() };
     let scan = from_bytes(&plain[..plain.len() - 1], "cut.las", &options).unwrap();
     assert_eq!((scan.cloud.len(), scan.missing.unwrap().expected), (39, 40));
+}
+
+#[test]
+fn whole_chunks_of_a_cut_packed_file_are_salvaged() {
+    let options = ReadOptions { salvage: true, ..ReadOptions::default() };
+    for format in [1, 3, 6, 7] {
+        let plain = from_bytes(&file(format, 95, None), "a.las", &options).unwrap();
+        let packed = file(format, 95, Some(10));
+        // The chunk table alone, half the file, and the first chunk.
+        let start = packed.len() - plain.bytes.min(packed.len() as u64) as usize;
+        for length in [packed.len() - 12, packed.len() * 9 / 10, start.max(packed.len() * 8 / 10)] {
+            let scan = from_bytes(&packed[..length], "cut.laz", &options).unwrap();
+            let whole = scan.cloud.len();
+            assert!(whole % 10 == 0 || whole == 95, "format {format}: {whole} points of {length} bytes");
+            assert_eq!(scan.cloud.positions, plain.cloud.positions[..whole], "format {format}");
+            let missing = scan.missing.map_or((95, 95), |missing| (missing.read, missing.expected));
+            assert_eq!(missing, (whole as u64, 95));
+        }
+        let all = from_bytes(&packed[..packed.len() - 12], "cut.laz", &options).unwrap();
+        assert_eq!(all.cloud, plain.cloud, "format {format}");
+    }
+}
+
+#[test]
+fn points_flagged_as_withheld_or_noise_can_be_left_out() {
+    for (format, chunk) in [(1, None), (1, Some(10)), (7, None), (7, Some(10))] {
+        let mut rows = records(format, 60);
+        let width = length(format);
+        for (i, row) in rows.chunks_exact_mut(width).enumerate() {
+            let current = format >= 6;
+            let class = if i % 6 == 0 {
+                7
+            } else if i % 6 == 1 && current {
+                18
+            } else {
+                2
+            };
+            let withheld = i % 6 == 2;
+            if current {
+                (row[15], row[16]) = (u8::from(withheld) << 2, class);
+            } else {
+                row[15] = class | u8::from(withheld) << 7;
+            }
+        }
+        let bytes = file_of(format, rows, chunk, None);
+        let read = |options| from_bytes(&bytes, "a.las", &options).unwrap();
+        let whole = read(ReadOptions::default());
+        assert_eq!((whole.cloud.len(), whole.noise), (60, 0));
+        let without = ReadOptions { without_noise: true, attributes: false, ..ReadOptions::default() };
+        let scan = read(without.clone());
+        let left = if format < 6 { 20 } else { 30 };
+        assert_eq!((scan.cloud.len(), scan.noise, scan.cloud.attributes.len()), (60 - left, left, 0));
+        assert_eq!(scan.cloud.positions[0], whole.cloud.positions[if format < 6 { 1 } else { 3 }]);
+        // Classes that are asked for stay.
+        let named = read(ReadOptions { classes: vec![7], ..without });
+        assert_eq!((named.cloud.len(), named.noise), (10, 10));
+    }
 }
 
 #[test]

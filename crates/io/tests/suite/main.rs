@@ -24,6 +24,7 @@ mod obj;
 mod output;
 mod parts;
 mod pcd;
+mod places;
 mod ply;
 mod points;
 mod sampled;

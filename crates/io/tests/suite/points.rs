@@ -150,6 +150,7 @@ fn las_outputs_are_like_their_inputs() {
             id: 2112,
             data: b"PROJCS[\"here\"]\0".to_vec(),
         }],
+        ..LasFrame::default()
     };
     let table = PointTable { cloud: &cloud, classes: &[1; 500], scores: &[], las: Some(&frame) };
     let scan = again(PointFormat::Laz, &table, "a.laz");
@@ -164,4 +165,49 @@ fn las_refuses_points_without_a_place() {
     let table = PointTable { cloud: &cloud, classes: &[0, 3], scores: &[], las: None };
     let error = write_points_to(&mut Vec::new(), PointFormat::Las, &table).unwrap_err().to_string();
     assert!(error.contains("NaN"), "{error}");
+}
+
+/// Bytes of LAS: the version behind its point, the day it was made, the numbers of points by return in the fields of old, and in those
+/// of 1.4.
+fn header(bytes: &[u8]) -> (u8, [u16; 2], Vec<u32>, Vec<u64>) {
+    let short = |at: usize| u16::from_le_bytes(*bytes[at..].first_chunk().unwrap());
+    let old = (0..5).map(|i| u32::from_le_bytes(*bytes[111 + 4 * i..].first_chunk().unwrap()));
+    let new = (0..15).map(|i| u64::from_le_bytes(*bytes[255 + 8 * i..].first_chunk().unwrap()));
+    let new = if bytes[25] == 4 { new.collect() } else { Vec::new() };
+    (bytes[25], [short(90), short(92)], old.collect(), new)
+}
+
+#[test]
+fn las_headers_count_points_by_return_and_keep_version_and_day_of_the_input() {
+    let mut cloud = Cloud::new((0..9).map(|i| [f64::from(i), 0.0, 1.0]).collect());
+    let column = |name: &str, values| Attribute { name: name.into(), values };
+    cloud.attributes = vec![
+        column("return_number", Column::U8(vec![1, 1, 1, 1, 1, 2, 2, 2, 3])),
+        column("gps_time", Column::F64(vec![0.5; 9])),
+    ];
+    let scale = [0.01; 3];
+    let frame = LasFrame {
+        minor: 2,
+        scale,
+        point_format: 1,
+        encoding: 1,
+        created: [41, 2019],
+        ..LasFrame::default()
+    };
+    let written = |las: &LasFrame, classes: &[u8]| {
+        let table = PointTable { cloud: &cloud, classes, scores: &[], las: Some(las) };
+        let mut bytes = Vec::new();
+        write_points_to(&mut bytes, PointFormat::Las, &table).unwrap();
+        let scan = from_bytes(&bytes, "a.las", &ReadOptions::default()).unwrap();
+        assert_eq!(scan.las.unwrap().encoding & 1, 1);
+        assert_eq!(scan.cloud.positions, cloud.positions);
+        assert_eq!(table.las_version(), Some(bytes[25]));
+        header(&bytes)
+    };
+    assert_eq!(written(&frame, &[]), (2, [41, 2019], vec![5, 3, 1, 0, 0], vec![]));
+    // A column of classes has a place in 1.4 alone.
+    let counts: Vec<u64> = [5, 3, 1].into_iter().chain([0; 12]).collect();
+    assert_eq!(written(&frame, &[0; 9]), (4, [41, 2019], vec![5, 3, 1, 0, 0], counts.clone()));
+    let current = LasFrame { minor: 4, point_format: 6, ..frame };
+    assert_eq!(written(&current, &[]), (4, [41, 2019], vec![0; 5], counts));
 }

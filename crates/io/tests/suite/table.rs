@@ -168,7 +168,87 @@ fn names_that_do_not_fit_the_columns_are_refused() {
 #[test]
 fn columns_without_names_for_the_coordinates_are_refused() {
     let error = refusal("a,b,c\n1,2,3\n");
-    assert!(error.contains("a, b, c") && error.contains("none is `x`"), "{error}");
+    assert!(
+        error.contains("a, b, c") && error.contains("rechtswert,hochwert") && error.contains("--columns"),
+        "{error}"
+    );
+}
+
+#[test]
+fn coordinates_are_known_by_the_names_that_surveyors_use() {
+    for names in [
+        "E,N,H",
+        "East;North;Up",
+        "Ost;Nord;Höhe",
+        "RECHTSWERT;HOCHWERT;HÖHE",
+        "POINT_X,POINT_Y,POINT_Z",
+        "x_coord y_coord z_coord",
+        "Easting [m],Northing [m],Height [m]",
+        "h,n,e",
+    ] {
+        let separator = if names.contains(';') {
+            ';'
+        } else if names.contains(',') {
+            ','
+        } else {
+            ' '
+        };
+        let rows = |p: [f64; 3]| p.map(|c| c.to_string()).join(&separator.to_string());
+        let turned = names == "h,n,e";
+        let body: Vec<String> =
+            POINTS.iter().map(|&[x, y, z]| rows(if turned { [z, y, x] } else { [x, y, z] })).collect();
+        assert_eq!(positions(&format!("{names}\n{}\n", body.join("\n"))), POINTS, "{names}");
+    }
+}
+
+#[test]
+fn latin_text_is_read_and_shown_as_such() {
+    let table = |names: &[u8]| [names, b"\n1.5;2.5;3.5\n4.5;5.5;6.5\n"].concat();
+    let read = |bytes: &[u8]| from_bytes(bytes, "table.csv", &ReadOptions::default());
+    assert_eq!(read(&table(b"Ost;Nord;H\xf6he")).unwrap().cloud.positions[1], [4.5, 5.5, 6.5]);
+    let error = read(&table(b"L\xe4nge;Breite;Ma\xdf")).unwrap_err().to_string();
+    assert!(error.contains("Länge, Breite, Maß"), "{error}");
+}
+
+#[test]
+fn columns_that_are_asked_for_are_taken_by_number_or_name() {
+    let read = |text: &str, columns: [&str; 3]| {
+        let columns = Some(columns.map(String::from));
+        from_bytes(text.as_bytes(), "table.csv", &ReadOptions { columns, ..ReadOptions::default() })
+    };
+    let bare = "7 1.5 -2.25 3\n8 4 5.5 1e-3\n";
+    let scan = read(bare, ["2", "3", "4"]).unwrap();
+    assert_eq!((&scan.cloud.positions[..], scan.cloud.attributes.len()), (&POINTS[..], 1));
+    let named = "Nr;Lage rechts;Lage hoch;Kote\n7;1.5;-2.25;3\n8;4;5.5;1e-3\n";
+    assert_eq!(read(named, ["lage rechts", "Lage hoch", "KOTE"]).unwrap().cloud.positions, POINTS);
+    assert_eq!(read(named, ["2", "3", "4"]).unwrap().cloud.positions, POINTS);
+    for (columns, part) in
+        [(["2", "3", "5"], "no column `5` among the 4"), (["2", "2", "3"], "a column twice")]
+    {
+        let error = read(named, columns).unwrap_err().to_string();
+        assert!(error.contains(part), "{error}");
+    }
+    let stl = b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n";
+    let columns = Some(["1", "2", "3"].map(String::from));
+    let error =
+        from_bytes(stl, "a.stl", &ReadOptions { columns, ..ReadOptions::default() }).unwrap_err().to_string();
+    assert!(error.contains("without --columns"), "{error}");
+}
+
+#[test]
+fn point_numbers_in_the_first_of_four_columns_are_a_warning() {
+    let rows = |row: fn(u32) -> [f64; 4]| -> String {
+        (0..20).map(|i| row(i).map(|c| c.to_string()).join(" ") + "\n").collect()
+    };
+    let told =
+        |text: &str| from_bytes(text.as_bytes(), "table.xyz", &ReadOptions::default()).unwrap().warnings;
+    let numbered = told(&rows(|i| [f64::from(i + 1), 0.1 * f64::from(i * i), 5.0, 0.5 * f64::from(i % 3)]));
+    assert!(numbered.len() == 1 && numbered[0].contains("--columns 2,3,4"), "{numbered:?}");
+    // Rows of a grid count too, and three columns are coordinates whatever they look like.
+    assert_eq!(told(&rows(|i| [f64::from(i), 7.0, 0.1 * f64::from(i % 7), 9.0])), [""; 0]);
+    let three: String = (0..20).map(|i| format!("{i} {} 1\n", i * i)).collect();
+    assert_eq!(told(&three), [""; 0]);
+    assert_eq!(told(&format!("x y z i\n{}", rows(|i| [f64::from(i), f64::from(i * i), 0.0, 1.0]))), [""; 0]);
 }
 
 #[test]

@@ -40,6 +40,10 @@ pub struct Reading {
     /// Read only the points of these classes, such as 2,6 of a LAS file
     #[arg(long, value_name = "C,C,..", value_delimiter = ',', conflicts_with = "sample")]
     pub class: Vec<u8>,
+    /// Keep the points that a LAS file flags as withheld or classes as noise (7 and 18), which the commands that look for lines, faces or
+    /// sections leave out; --class keeps the classes that it names
+    #[arg(long, conflicts_with = "sample")]
+    pub all_points: bool,
     /// Read only these returns of each pulse of a LAS file
     #[arg(long, value_name = "last|first|only", conflicts_with = "sample", value_parser = parse::returns)]
     pub returns: Option<Returns>,
@@ -57,6 +61,13 @@ pub struct Reading {
     /// Read the input as this format, whatever its content or name
     #[arg(long, value_name = "NAME", conflicts_with = "sample", value_parser = parse::format)]
     pub input_format: Option<Format>,
+    /// Columns of x, y and z in a table, by number from 1 on or by name: 2,3,4 or Rechtswert,Hochwert,Höhe
+    #[arg(long, value_name = "X,Y,Z", conflicts_with = "sample", value_parser = parse::columns)]
+    pub columns: Option<[String; 3]>,
+    /// Coordinate reference system of the points, such as EPSG:25832; it goes over the one that the file or a .prj beside it states, with
+    /// a warning where that is another. Outputs name it; nothing is transformed
+    #[arg(long, value_name = "EPSG:N", conflicts_with = "sample", value_parser = parse::reference)]
+    pub crs: Option<u32>,
     /// Limit on the memory for the points of a compressed input, such as 4G [default: 64M and eight times the file]
     #[arg(long, value_name = "BYTES", conflicts_with = "sample", value_parser = parse::bytes)]
     pub memory: Option<u64>,

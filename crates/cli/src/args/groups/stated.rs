@@ -8,9 +8,9 @@ use crate::args::parse;
 /// The unit of the input.
 #[derive(Clone, Debug, Default, Args)]
 pub struct Stated {
-    /// Unit of the coordinates, which DXF and STEP state; nothing is scaled by it [default: metres in a UTM zone, else none in
-    /// DXF and millimetres in STEP, which must have one]
-    #[arg(long, help_heading = "Output", value_name = "mm|cm|m|in|ft", value_parser = parse::unit)]
+    /// Unit of the coordinates, which DXF and STEP state; nothing is scaled by it [default: that of the reference system, metres of
+    /// E57, else none in DXF and millimetres in STEP, which must have one]
+    #[arg(long, help_heading = "Output", value_name = "mm|cm|m|in|ft|us-ft", value_parser = parse::unit)]
     pub unit: Option<Unit>,
 }
 

@@ -51,6 +51,8 @@ fn one(work: &Work, args: &args::Enrich, origin: &Origin, outputs: &[PathBuf]) -
     }
     let mut lines = summary::of(&input, &found, work.args.running.verbose);
     lines.push(counts(&points));
+    let table = PointTable { cloud: &cloud, classes: &[], scores: &[], las: input.las.as_ref() };
+    lines.extend(summary::other_version(&table, outputs));
     lines.push(summary::written(outputs));
     let seconds = start.elapsed().as_secs_f64();
     Ok(Done { lines, row: summary::row(found.report.read, Some(&found.network), seconds) })
@@ -72,7 +74,8 @@ fn write(
     classes: &[u8],
 ) -> Result<(), lineament_io::Error> {
     if point_format(path)? != PointFormat::Html {
-        let table = PointTable { cloud, classes: &[], scores: &[], las: input.las.as_ref() };
+        let frame = input.frame();
+        let table = PointTable { cloud, classes: &[], scores: &[], las: frame.as_deref() };
         return write_points(path, inputs, &table);
     }
     let provenance = page::provenance(input);

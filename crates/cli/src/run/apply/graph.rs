@@ -31,7 +31,8 @@ fn one(work: &Work, args: &args::Graph, origin: &Origin, outputs: &[PathBuf]) ->
     let start = Instant::now();
     let is = |wanted| outputs.iter().any(|path| graph_format(path).is_ok_and(|format| format == wanted));
     let (attributes, hash) = (is(GraphFormat::Ply), is(GraphFormat::Json));
-    let input = work.load(origin, &ReadOptions { attributes, hash, ..Default::default() })?;
+    let input =
+        work.load(origin, &ReadOptions { attributes, without_noise: true, hash, ..Default::default() })?;
     let found = work.extract(origin, &input)?;
     let graph = cut_graph(&input.cloud, &found, &work.params, args.graph)
         .map_err(|e| Failure::from(e).at(origin.shown()))?;

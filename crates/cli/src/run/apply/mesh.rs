@@ -28,7 +28,8 @@ pub fn run(args: &args::Mesh) -> Result<(), Failure> {
 
 fn one(work: &Work, args: &args::Mesh, origin: &Origin, outputs: &[PathBuf]) -> Result<Done, Failure> {
     let start = Instant::now();
-    let input = work.load(origin, &ReadOptions { attributes: false, ..Default::default() })?;
+    let input =
+        work.load(origin, &ReadOptions { attributes: false, without_noise: true, ..Default::default() })?;
     let found = work.extract(origin, &input)?;
     let meshing = Instant::now();
     let usual = MeshOptions::default();

@@ -9,6 +9,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug)]
 pub(super) struct Header {
     pub minor: u8,
+    /// The global encoding, and the day of the year and the year in which the file was made.
+    pub encoding: u16,
+    pub created: [u16; 2],
     pub header_size: u64,
     pub points_at: u64,
     pub records: u32,
@@ -36,6 +39,12 @@ pub struct LasFrame {
     pub offset: [f64; 3],
     /// Point data record format, 0 to 10.
     pub point_format: u8,
+    /// The global encoding, of which bit 0 tells the kind of GPS times.
+    #[serde(default)]
+    pub encoding: u16,
+    /// Day of the year and year in which the file was made.
+    #[serde(default)]
+    pub created: [u16; 2],
     /// The variable length records, in order.
     pub records: Vec<Record>,
 }
@@ -92,6 +101,8 @@ fn fields(bytes: &[u8]) -> Header {
     let large = if current { get(247).number::<u64>() } else { 0 };
     Header {
         minor,
+        encoding: get(6).number(),
+        created: [get(90).number(), get(92).number()],
         header_size,
         points_at: u64::from(get(96).number::<u32>()),
         records: get(100).number(),

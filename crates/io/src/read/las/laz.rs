@@ -3,20 +3,18 @@
 
 use super::chunks::{Chunk, at, chunks};
 use super::copc;
-use super::gps::GpsTime;
 use super::header::{Fields, Header, LasFrame, Record};
 use super::packing::Packing;
-use super::point14::Point14;
 use super::records;
+use super::unpacker::unpacker;
+use super::walk;
 use crate::error::{Error, Place};
 use crate::quiet;
 use crate::read::rows::{Field, Part, Table};
 use crate::read::{ReadOptions, limit};
 use crate::source::{Shared, Source};
-use laz::record::{LayeredPointRecordDecompressor, RecordDecompressor, SequentialPointRecordDecompressor};
 use laz::{DecompressionSelection, LazItemType, LazVlr};
 use rayon::prelude::*;
-use std::io::Cursor;
 
 /// Unpacked bytes that are held at a time of a chunk: they go to the table while they are in the cache.
 const STEP: usize = 1 << 17;
@@ -44,14 +42,22 @@ pub(super) fn read(
     let (vlr, mut packing) = packing(source, header, frame)?;
     if !options.attributes {
         packing.selection = DecompressionSelection::base().decompress_z();
+        if options.without_noise {
+            packing.selection = packing.selection.decompress_classification().decompress_flags();
+        }
     }
     let input = source.seekable()?;
     let input = Shared::new(input).map_err(|error| source.io(error))?;
     let mut projections = Vec::new();
     let extended = extended(source, &input, header, &mut projections)?;
-    let chunks = match copc::chunks(source, &input, header, frame, options)? {
-        Some(overlapping) => overlapping,
-        None => chunks(source, &input, header, &vlr, &packing)?,
+    let overlapping = copc::chunks(source, &input, header, frame, options)?;
+    let partly = overlapping.is_some();
+    let chunks = match overlapping.map_or_else(|| chunks(source, &input, header, &vlr, &packing), Ok) {
+        // Without a chunk table, as in a file that was cut, the chunks are found one after the other.
+        Err(error) if options.salvage => Some(walk::whole(&input, header, &vlr, &packing))
+            .filter(|whole| !whole.is_empty())
+            .ok_or(error)?,
+        chunks => chunks?,
     };
     let wanted: u64 = chunks.iter().map(|chunk| chunk.points).sum();
     limit::check(source, options, wanted, table.row_bytes())?;
@@ -61,7 +67,8 @@ pub(super) fn read(
         Ok(()) => wanted,
     };
     table.truncate(rows as usize);
-    Ok(Taken { rows, passed: header.points.saturating_sub(wanted), projections, extended })
+    let passed = if partly { header.points.saturating_sub(wanted) } else { 0 };
+    Ok(Taken { rows, passed, projections, extended })
 }
 
 /// The extended records.
@@ -193,52 +200,4 @@ fn item_size(kind: LazItemType) -> (usize, usize) {
         LazItemType::WavePacket14 => (29, 1),
         LazItemType::Byte14(count) => (count.into(), count.into()),
     }
-}
-
-/// Whether the layers that a chunk announces are in it.
-fn layers_fit(bytes: &[u8], packing: &Packing) -> bool {
-    let Some(sizes) = bytes.get(packing.record + 4..) else { return false };
-    if sizes.len() < 4 * packing.layers {
-        return false;
-    }
-    let total: u64 =
-        sizes.chunks_exact(4).take(packing.layers).map(|s| u64::from(Fields(s).number::<u32>())).sum();
-    total <= (sizes.len() - 4 * packing.layers) as u64
-}
-
-type Unpacker = Box<dyn RecordDecompressor<Cursor<Vec<u8>>>>;
-
-/// A decoder of one chunk. Fields with GPS times are decoded here, all others by `laz`.
-fn unpacker(bytes: Vec<u8>, packing: &Packing) -> Result<Unpacker, String> {
-    if packing.layered && !layers_fit(&bytes, packing) {
-        return Err("its layers are longer than it is".into());
-    }
-    let mut unpacker = if packing.layered { layered(bytes, packing) } else { pointwise(bytes, packing) }
-        .map_err(|error| error.to_string())?;
-    unpacker.set_selection(packing.selection);
-    Ok(unpacker)
-}
-
-fn layered(bytes: Vec<u8>, packing: &Packing) -> laz::Result<Unpacker> {
-    let mut unpacker = LayeredPointRecordDecompressor::new(Cursor::new(bytes));
-    for item in &packing.items {
-        match item.item_type() {
-            LazItemType::Point14 if item.version() <= 4 => {
-                unpacker.add_field_decompressor(Point14::new(item.version()))
-            }
-            _ => unpacker.set_fields_from(&vec![*item])?,
-        }
-    }
-    Ok(Box::new(unpacker))
-}
-
-fn pointwise(bytes: Vec<u8>, packing: &Packing) -> laz::Result<Unpacker> {
-    let mut unpacker = SequentialPointRecordDecompressor::new(Cursor::new(bytes));
-    for item in &packing.items {
-        match (item.item_type(), item.version()) {
-            (LazItemType::GpsTime, 2) => unpacker.add_field_decompressor(GpsTime::default()),
-            _ => unpacker.set_fields_from(&vec![*item])?,
-        }
-    }
-    Ok(Box::new(unpacker))
 }

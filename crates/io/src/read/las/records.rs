@@ -2,13 +2,15 @@
 
 use super::geo;
 use super::header::{Fields, Header, LasFrame, Record};
-use crate::crs::Crs;
+use crate::crs::{Crs, Measure};
 use crate::error::Error;
 use crate::source::Source;
 
 /// Bytes before the content of a record.
 const RECORD_HEADER: usize = 54;
-/// And of an extended record.
+/// The record of the system in well-known text.
+pub(crate) const WKT: u16 = 2112;
+/// Bytes before the content of an extended record.
 const EXTENDED_HEADER: usize = 60;
 
 /// Reads the records between the header and the points.
@@ -18,6 +20,8 @@ pub(super) fn read(source: &mut Source, header: &Header) -> Result<LasFrame, Err
         scale: header.scale,
         offset: header.offset,
         point_format: header.format,
+        encoding: header.encoding,
+        created: header.created,
         records: Vec::new(),
     };
     let gap = header.header_size;
@@ -100,6 +104,38 @@ impl Record {
 }
 
 impl LasFrame {
+    /// For LAS outputs of an input of another format: only its reference system, by its definition or else its code in the EPSG
+    /// register. Scale, offset and point format are the writer's choice.
+    pub fn of_system(epsg: Option<u32>, wkt: Option<&str>) -> Option<LasFrame> {
+        let mut frame = LasFrame { minor: 4, ..LasFrame::default() };
+        match (wkt, epsg) {
+            (Some(wkt), _) => frame.define(wkt),
+            (None, Some(code)) => frame.place(code),
+            (None, None) => return None,
+        }
+        Some(frame)
+    }
+
+    /// Gives the points another system, by its definition in well-known text.
+    pub(crate) fn define(&mut self, wkt: &str) {
+        self.records.retain(|record| !record.is_projection());
+        let data = [wkt.as_bytes(), &[0]].concat();
+        self.records.push(Record { user: "LASF_Projection".into(), id: WKT, data });
+    }
+
+    /// Gives the points another system, by its code in the EPSG register.
+    pub(crate) fn place(&mut self, epsg: u32) {
+        let degrees = Crs::of_code(epsg.into()).and_then(|crs| crs.measure()) == Some(Measure::Degrees);
+        self.records.retain(|record| !record.is_projection());
+        // Codes of the register have 16 bits.
+        self.records.extend(u16::try_from(epsg).ok().map(|code| geo::keys(code, degrees)));
+    }
+
+    /// Whether it tells how coordinates are stored, and not only where the points lie.
+    pub fn is_stored(&self) -> bool {
+        self.scale.iter().all(|scale| *scale != 0.0)
+    }
+
     /// The content of the record with this user and number.
     pub(super) fn find(&self, user: &str, id: u16) -> Option<&[u8]> {
         self.records.iter().find(|r| r.user == user && r.id == id).map(|r| r.data.as_slice())
@@ -116,7 +152,7 @@ impl LasFrame {
         self.system().code.and_then(|code| code.try_into().ok())
     }
 
-    fn system(&self) -> Crs {
+    pub(crate) fn system(&self) -> Crs {
         let Some(wkt) = self.wkt() else { return geo::system(self) };
         let crs = Crs::parse(&wkt);
         // Text without a code, as ESRI writes it, does not outweigh keys that have one.
@@ -125,6 +161,6 @@ impl LasFrame {
 
     /// The definition of the coordinate reference system in well-known text.
     pub fn wkt(&self) -> Option<String> {
-        self.find("LASF_Projection", 2112).map(text).filter(|wkt| !wkt.is_empty())
+        self.find("LASF_Projection", WKT).map(text).filter(|wkt| !wkt.is_empty())
     }
 }

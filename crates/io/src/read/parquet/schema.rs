@@ -2,7 +2,7 @@
 
 use crate::columns::Scalar;
 use crate::error::{Error, Place};
-use crate::read::table::find_axis;
+use crate::read::table::{find_axes, known};
 use crate::read::{Decoded, ReadOptions};
 use crate::source::Source;
 use ::parquet::basic::{ConvertedType, LogicalType, Type as Physical};
@@ -53,12 +53,16 @@ pub(super) fn wanted(
         })
         .collect();
     let names: Vec<String> = columns.iter().map(|(_, column, _)| column.name().to_string()).collect();
-    let [Some(x), Some(y), Some(z)] = [0, 1, 2].map(|axis| find_axis(&names, axis)) else {
+    let Some([x, y, z]) = find_axes(&names) else {
         let found = match names.as_slice() {
             [] => format!("no flat column of numbers among {}", schema.num_columns()),
             _ => format!("columns of numbers called {}", names.join(", ")),
         };
-        return Err(source.fault(Place::Byte(0), found, "three of them must be called x, y and z"));
+        return Err(source.fault(
+            Place::Byte(0),
+            found,
+            format!("no three of them are coordinates: {}", known()),
+        ));
     };
     let axis_of = |column: usize| [x, y, z].iter().position(|&a| a == column);
     let kept = columns.into_iter().zip(names).enumerate();

@@ -1,15 +1,17 @@
 //! The layout of a table, recognised from its first rows.
 
+use super::names;
 use super::split::{Separator, ends_open, fields, is_comment, uncommented};
 use super::value::value;
 use crate::error::{Error, Place};
 use crate::number::{integer, is_blank, parse, shown, tokens};
 use crate::source::Source;
-use std::path::Path;
 
 /// Bytes and rows that the layout is recognised from.
 const SAMPLE_BYTES: usize = 1 << 16;
 const SAMPLE_ROWS: usize = 200;
+/// Rows from which on a first column that counts is taken for one of point numbers.
+const COUNTED_ROWS: usize = 5;
 
 /// The role of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +40,8 @@ pub(super) struct Layout {
     pub row_bytes: u64,
     /// Parts that are left out, one sentence each.
     pub ignored: Vec<String>,
+    /// What makes the roles of the columns doubtful, one sentence each.
+    pub warnings: Vec<String>,
 }
 
 /// The lines that the layout is recognised from.
@@ -54,8 +58,8 @@ struct Sample {
     bytes: usize,
 }
 
-/// Recognises the layout; the source stays where it is.
-pub(super) fn find(source: &mut Source) -> Result<Layout, Error> {
+/// Recognises the layout; the source stays where it is. `asked` are the columns of x, y and z, by name or by number from 1 on.
+pub(super) fn find(source: &mut Source, asked: Option<&[String; 3]>) -> Result<Layout, Error> {
     let sample = sample(source)?;
     if sample.rows.is_empty() {
         let place = Place::Line(1);
@@ -70,14 +74,17 @@ pub(super) fn find(source: &mut Source) -> Result<Layout, Error> {
     let (separator, decimal_comma) =
         separator(&sample.rows).map_err(|(found, advice)| source.fault(place, found, advice))?;
     let columns = columns(&sample, separator);
-    let named = names(&sample, separator, columns);
-    let by_name = || usual_names(source.name(), columns);
+    let lines = names::Lines { header: sample.header.as_deref(), is_comment: sample.header_is_comment };
+    let named = names::of(&lines, separator, columns, asked);
+    let by_name = || names::usual(source.name(), columns);
     let header = named.clone().or_else(by_name);
-    if header.is_none() {
-        misfit(&sample, separator, columns).map_err(|(found, advice)| source.fault(place, found, advice))?;
+    if header.is_none() && asked.is_none() {
+        names::misfit(&lines, separator, columns)
+            .map_err(|(found, advice)| source.fault(place, found, advice))?;
     }
     let titles = sample.titles - u64::from(named.is_some() && !sample.header_is_comment);
-    if header.is_none() && separator == Separator::Byte(b',') && columns > 3 && all_digits(&sample.rows) {
+    let bare = header.is_none() && asked.is_none();
+    if bare && separator == Separator::Byte(b',') && columns > 3 && all_digits(&sample.rows) {
         let found = format!("{columns} columns of whole numbers separated by commas, without names");
         let advice = "the commas may be decimal signs: put a line of names (x,y,z,...) first, or separate by semicolons";
         return Err(source.fault(place, found, advice));
@@ -91,8 +98,18 @@ pub(super) fn find(source: &mut Source) -> Result<Layout, Error> {
         announced: sample.announced,
         row_bytes: (sample.bytes / sample.rows.len()) as u64,
         ignored: Vec::new(),
+        warnings: Vec::new(),
     };
-    assign(&mut layout, header, &sample.rows, columns)
+    if bare && columns > 3 && counts(&sample.rows, &layout) {
+        layout.warnings.push(
+            "the first column counts the rows, as point numbers do, and is taken for x: if x, y and z are columns 2, 3 and 4, \
+             read it with --columns 2,3,4"
+                .into(),
+        );
+    }
+    let axes = names::axes(header.as_deref(), asked, columns);
+    let axes = axes.map_err(|(found, advice)| source.fault(place, found, advice))?;
+    assign(&mut layout, axes, header, &sample.rows, columns)
         .map_err(|(found, advice)| source.fault(place, found, advice))?;
     if titles > 0 {
         layout.ignored.push(format!("{titles} title lines before the rows"));
@@ -166,7 +183,7 @@ fn is_row(line: &[u8]) -> bool {
 }
 
 /// The finding and the remedy.
-type Refusal = (String, String);
+pub(super) type Refusal = (String, String);
 
 /// The separator and whether the decimal sign is a comma.
 fn separator(rows: &[Vec<u8>]) -> Result<(Separator, bool), Refusal> {
@@ -228,6 +245,19 @@ fn decimal_commas(rows: &[Vec<u8>], separator: Separator) -> bool {
     seen
 }
 
+/// Whether the first column counts the rows in even steps. Rows of a grid count as well, but along them the second column stays.
+fn counts(rows: &[Vec<u8>], layout: &Layout) -> bool {
+    let column = |at: usize| -> Option<Vec<f64>> {
+        rows.iter().map(|row| value(fields(row, layout.separator).get(at)?, layout.decimal_comma)).collect()
+    };
+    let (Some(first), Some(second)) = (column(0), column(1)) else { return false };
+    let [from, next, ..] = first[..] else { return false };
+    let step = next - from;
+    let even = first.windows(2).all(|pair| pair[1] - pair[0] == step);
+    let along = second.windows(2).all(|pair| pair[0] == pair[1]);
+    rows.len() >= COUNTED_ROWS && even && step >= 1.0 && from.fract() == 0.0 && step.fract() == 0.0 && !along
+}
+
 /// Whether no row has a decimal point or an exponent.
 fn all_digits(rows: &[Vec<u8>]) -> bool {
     rows.iter().all(|row| !row.iter().any(|b| matches!(b, b'.' | b'e' | b'E')))
@@ -244,76 +274,14 @@ fn columns(sample: &Sample, separator: Separator) -> usize {
     count(first) + usize::from(open)
 }
 
-/// Refuses names that do not fit the columns: which column is x could then only be guessed.
-fn misfit(sample: &Sample, separator: Separator, columns: usize) -> Result<(), Refusal> {
-    let Some(header) = sample.header.as_deref().filter(|_| !sample.header_is_comment) else { return Ok(()) };
-    let names: Vec<String> = fields(header, separator).iter().map(|field| name(field)).collect();
-    let axes = [0, 1, 2].map(|axis| find_axis(&names, axis));
-    let [Some(x), Some(y), Some(z)] = axes else { return Ok(()) };
-    if [x, y, z] == [0, 1, 2] || columns == 3 && x < y && y < z {
-        return Ok(());
-    }
-    let found = format!("{columns} columns under the {} names {}", names.len(), names.join(", "));
-    Err((found, "name every column, so that x, y and z can be told".into()))
-}
-
-/// The names of the columns, if a line before the rows gives as many as there are columns.
-fn names(sample: &Sample, separator: Separator, columns: usize) -> Option<Vec<String>> {
-    let header = sample.header.as_deref()?;
-    let text = |fields: Vec<&[u8]>| -> Vec<String> { fields.iter().map(|f| name(f)).collect() };
-    let options =
-        [separator, Separator::Byte(b','), Separator::Byte(b';'), Separator::Byte(b'\t'), Separator::Blanks];
-    let found = options.iter().map(|&s| text(fields(header, s))).find(|names| names.len() == columns)?;
-    let named = (0..3).all(|axis| find_axis(&found, axis).is_some());
-    (named || !sample.header_is_comment).then_some(found)
-}
-
-/// The names that columns have by custom in files with this extension.
-fn usual_names(name: &str, columns: usize) -> Option<Vec<String>> {
-    let extension = Path::new(name).extension()?.to_str()?.to_ascii_lowercase();
-    let rest: &[&str] = match (extension.as_str(), columns) {
-        ("pts", 4) => &["intensity"],
-        ("pts" | "xyzrgb", 6) => &["red", "green", "blue"],
-        ("pts", 7) => &["intensity", "red", "green", "blue"],
-        ("pwn" | "xyzn", 6) => &["nx", "ny", "nz"],
-        _ => return None,
-    };
-    Some(["x", "y", "z"].iter().chain(rest).map(|name| (*name).into()).collect())
-}
-
-/// A column name without comment signs and without a unit in brackets.
-fn name(field: &[u8]) -> String {
-    let text = String::from_utf8_lossy(uncommented(field)).into_owned();
-    let bare = text.split(['[', '(']).next().unwrap_or("").trim();
-    if bare.is_empty() { text.trim().into() } else { bare.into() }
-}
-
-/// The column that is x, y or z by its name.
-pub(in crate::read) fn find_axis(names: &[String], axis: usize) -> Option<usize> {
-    const KNOWN: [[&str; 6]; 3] = [
-        ["x", "points:0", "points_0", "easting", "east", "position_x"],
-        ["y", "points:1", "points_1", "northing", "north", "position_y"],
-        ["z", "points:2", "points_2", "elevation", "height", "position_z"],
-    ];
-    KNOWN[axis].iter().find_map(|known| names.iter().position(|name| name.eq_ignore_ascii_case(known)))
-}
-
 /// Gives every column its role.
 fn assign(
     layout: &mut Layout,
+    axes: [usize; 3],
     header: Option<Vec<String>>,
     rows: &[Vec<u8>],
     columns: usize,
 ) -> Result<(), Refusal> {
-    let mut axes = [0, 1, 2];
-    if let Some(names) = &header {
-        for (axis, column) in axes.iter_mut().enumerate() {
-            *column = find_axis(names, axis).ok_or_else(|| {
-                let found = format!("the columns are called {}", names.join(", "));
-                (found, format!("none is `{}`: call the coordinates x, y and z", ["x", "y", "z"][axis]))
-            })?;
-        }
-    }
     if columns < 3 {
         return Err((format!("rows of {columns} columns"), "points need three coordinates".into()));
     }

@@ -56,7 +56,7 @@ pub struct Parameter {
 impl NetworkContext {
     /// The unit that was given, or that of the reference system where it is known.
     pub fn known_unit(&self) -> Option<Unit> {
-        self.unit.or_else(|| Unit::of_reference(self.crs.as_deref()))
+        self.unit.or_else(|| Unit::of_stated(self.crs.as_deref(), self.crs_wkt.as_deref()))
     }
 
     /// What lies beside a strip, where patches were looked for.

@@ -1,5 +1,7 @@
-//! Classified points as LAS 1.4 or LAZ: class and score as extra bytes, the attributes of the input where the point
-//! format has a place for them, and otherwise as extra bytes too.
+//! Classified points as LAS or LAZ: class and score as extra bytes, the attributes of the input where the point format has a place
+//! for them, and otherwise as extra bytes too. The version is that of the input where it can hold that, and 1.4 elsewhere.
+
+mod header;
 
 use super::rows::{names, put};
 use super::table::PointTable;
@@ -11,8 +13,7 @@ use laz::{LasZipCompressor, LazItemRecordBuilder, LazVlr, LazVlrBuilder};
 use lineament::{Attribute, Column};
 use std::io::{self, Cursor, Seek, SeekFrom, Write};
 
-/// Bytes of a version 1.4 header, and of the header of a variable length record.
-const HEADER: usize = 375;
+/// Bytes of the header of a variable length record.
 const RECORD: usize = 54;
 
 /// A column that goes into extra bytes.
@@ -31,6 +32,8 @@ enum Source<'a> {
 /// Where everything goes.
 struct Plan<'a> {
     format: u8,
+    /// The version behind its point.
+    minor: u8,
     /// Bytes of a record without the extra ones.
     standard: usize,
     dimensions: Vec<(Dimension, &'a Column)>,
@@ -45,7 +48,9 @@ pub(super) fn write(out: &mut dyn Write, table: &PointTable, packed: bool) -> io
     let extra: usize = plan.extras.iter().map(|e| e.kind.size()).sum();
     let length = u16::try_from(plan.standard + extra).map_err(io::Error::other)?;
     let mut vlrs: Vec<LasRecord> = table.las.map_or(Vec::new(), projections);
-    vlrs.push(LasRecord { user: "LASF_Spec".into(), id: 4, data: descriptions(&plan.extras) });
+    if !plan.extras.is_empty() {
+        vlrs.push(LasRecord { user: "LASF_Spec".into(), id: 4, data: descriptions(&plan.extras) });
+    }
     let laz = packed.then(|| -> io::Result<LazVlr> {
         let items = LazItemRecordBuilder::default_for_point_format_id(plan.format, extra as u16);
         let laz = LazVlrBuilder::new(items.map_err(io::Error::other)?).build();
@@ -55,7 +60,7 @@ pub(super) fn write(out: &mut dyn Write, table: &PointTable, packed: bool) -> io
         Ok(laz)
     });
     let laz = laz.transpose()?;
-    let mut head = header(table, &plan, length, &vlrs, packed)?;
+    let mut head = header::header(table, &plan, length, &vlrs, packed)?;
     for vlr in &vlrs {
         head.extend(record(vlr)?);
     }
@@ -95,12 +100,16 @@ fn projections(frame: &LasFrame) -> Vec<LasRecord> {
 fn plan<'a>(table: &PointTable<'a>) -> io::Result<Plan<'a>> {
     let attributes = &table.cloud.attributes;
     let coloured = ["red", "green", "blue"].iter().all(|name| attributes.iter().any(|a| a.name == *name));
-    let format = match table.las.map(|frame| frame.point_format) {
+    let stored = table.las.filter(|frame| frame.is_stored());
+    // Formats from 6 on want well-known text, which a code alone does not give.
+    let keys = table.las.is_some_and(|frame| !frame.is_stored() && frame.wkt().is_none());
+    let format = match stored.map(|frame| frame.point_format) {
         Some(4) => 1,
         Some(5) => 3,
         Some(9) => 6,
         Some(10) => 8,
         Some(format) => format,
+        None if keys => 1 + 2 * u8::from(coloured),
         None => 6 + u8::from(coloured),
     };
     let (standard, all) =
@@ -127,8 +136,21 @@ fn plan<'a>(table: &PointTable<'a>) -> io::Result<Plan<'a>> {
             }),
         }
     }
-    let (scale, offset) = table.las.map_or_else(|| grid(table), |frame| (frame.scale, frame.offset));
-    Ok(Plan { format, standard, dimensions, extras, scale, offset })
+    let (scale, offset) = stored.map_or_else(|| grid(table), |frame| (frame.scale, frame.offset));
+    let minor = version(table, format, !extras.is_empty());
+    Ok(Plan { format, minor, standard, dimensions, extras, scale, offset })
+}
+
+/// The version behind its point: that of the input, from 1.2 on, unless points carry what only 1.4 has.
+fn version(table: &PointTable, format: u8, extras: bool) -> u8 {
+    let older = table.las.filter(|frame| frame.is_stored() && frame.minor < 4);
+    let holds = format <= 3 && !extras && u32::try_from(table.cloud.len()).is_ok();
+    older.filter(|_| holds).map_or(4, |frame| frame.minor.max(2))
+}
+
+/// The version, 1.2 to 1.4, behind its point, that these points are written in.
+pub(super) fn written_version(table: &PointTable) -> Option<u8> {
+    plan(table).ok().map(|plan| plan.minor)
 }
 
 /// Whether a dimension is this attribute and holds all its values.
@@ -230,41 +252,5 @@ fn record(vlr: &LasRecord) -> io::Result<Vec<u8>> {
     bytes[18..20].copy_from_slice(&vlr.id.to_le_bytes());
     bytes[20..22].copy_from_slice(&length.to_le_bytes());
     bytes.extend_from_slice(&vlr.data);
-    Ok(bytes)
-}
-
-/// The header of version 1.4.
-fn header(
-    table: &PointTable,
-    plan: &Plan,
-    length: u16,
-    vlrs: &[LasRecord],
-    packed: bool,
-) -> io::Result<Vec<u8>> {
-    let mut bytes = vec![0u8; HEADER];
-    let mut put = |at: usize, value: &[u8]| bytes[at..at + value.len()].copy_from_slice(value);
-    let points_at = HEADER + vlrs.iter().map(|vlr| RECORD + vlr.data.len()).sum::<usize>();
-    let wkt = vlrs.iter().any(|vlr| vlr.is_projection() && vlr.id == 2112);
-    put(0, b"LASF");
-    put(6, &(u16::from(wkt) << 4).to_le_bytes());
-    put(24, &[1, 4]);
-    put(26, b"lineament");
-    put(58, b"lineament");
-    put(94, &(HEADER as u16).to_le_bytes());
-    put(96, &u32::try_from(points_at).map_err(io::Error::other)?.to_le_bytes());
-    put(100, &(vlrs.len() as u32).to_le_bytes());
-    put(104, &[plan.format | if packed { 0x80 } else { 0 }]);
-    put(105, &length.to_le_bytes());
-    let count = table.cloud.len() as u64;
-    let legacy = u32::try_from(count).ok().filter(|_| plan.format < 6).unwrap_or(0);
-    put(107, &legacy.to_le_bytes());
-    put(247, &count.to_le_bytes());
-    for axis in 0..3 {
-        put(131 + 8 * axis, &plan.scale[axis].to_le_bytes());
-        put(155 + 8 * axis, &plan.offset[axis].to_le_bytes());
-        let finite = || table.cloud.positions.iter().map(|p| p[axis]).filter(|c| c.is_finite());
-        put(179 + 16 * axis, &finite().reduce(f64::max).unwrap_or(0.0).to_le_bytes());
-        put(187 + 16 * axis, &finite().reduce(f64::min).unwrap_or(0.0).to_le_bytes());
-    }
     Ok(bytes)
 }

@@ -29,8 +29,8 @@ pub struct SectionContext {
 
 impl SectionContext {
     /// The unit that was given, or that of the reference system where it is known.
-    pub(in crate::write) fn known_unit(&self) -> Option<Unit> {
-        self.unit.or_else(|| Unit::of_reference(self.crs.as_deref()))
+    pub fn known_unit(&self) -> Option<Unit> {
+        self.unit.or_else(|| Unit::of_stated(self.crs.as_deref(), self.crs_wkt.as_deref()))
     }
 
     /// The provenance as reports take it.

@@ -71,6 +71,7 @@ fn length(step: &mut Step, unit: Unit) -> io::Result<Id> {
         Unit::Metre => return step.add(si("$")),
         Unit::Inch => ("INCH", 25.4),
         Unit::Foot => ("FOOT", 304.8),
+        Unit::SurveyFoot => ("US SURVEY FOOT", 1e3 * unit.metres()),
     };
     let millimetre = step.add(si(".MILLI."))?;
     let factor = step
