@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use lineament::{Extraction, Network, NodeKind, Related, RelationKind, Report, StripKind};
-use lineament_io::{NetworkFormat, PointFormat, PointTable, Unit, network_format, point_format};
+use lineament_io::{NetworkFormat, PointFormat, PointTable, Unit, las_version, network_format, point_format};
 
 use crate::source::Input;
 
@@ -104,7 +104,7 @@ pub fn unmeasured(unit: Option<Unit>, outputs: &[PathBuf]) -> Option<String> {
 pub fn other_version(table: &PointTable, outputs: &[PathBuf]) -> Option<String> {
     let is_las = |path: &&PathBuf| matches!(point_format(path), Ok(PointFormat::Las | PointFormat::Laz));
     let output = outputs.iter().find(is_las)?;
-    let (before, now) = (table.las.filter(|frame| frame.is_stored())?.minor, table.las_version()?);
+    let (before, now) = (table.las.filter(|frame| frame.is_stored())?.minor, las_version(table)?);
     (before != now).then(|| {
         let why = if now == 4 { ", which holds all columns" } else { "" };
         format!("note: {} is of version 1.{now}{why}: the input is of 1.{before}", output.display())

@@ -53,8 +53,7 @@ pub struct ReadOptions {
     pub memory: Option<u64>,
     /// Keep only points of these classes (LAS 1.4 R15, table 9); none keeps all.
     pub classes: Vec<u8>,
-    /// Leave out the points of a LAS input that are flagged as withheld or, without `classes`, classed as noise (7, 18);
-    /// `Scan::noise` counts them.
+    /// Leave out the points of a LAS input flagged as withheld or, without `classes`, classed as noise (7, 18); `Scan::noise` counts them.
     pub without_noise: bool,
     /// Keep only these returns of each pulse.
     pub returns: Option<Returns>,
@@ -115,8 +114,7 @@ impl Default for ReadOptions {
 /// The content of an input.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scan {
-    /// The points in the order and the unit of the input; non-finite rows are in it. Of a mesh, with `ReadOptions::mesh`, points on
-    /// its faces.
+    /// The points in the order and the unit of the input, non-finite rows too. Of a mesh, with `ReadOptions::mesh`, points on its faces.
     pub cloud: Cloud,
     /// The mesh that points were sampled on.
     pub sampled: Option<Sampled>,
@@ -277,22 +275,14 @@ fn decode(mut source: Source, options: &ReadOptions) -> Result<Scan, Error> {
         Some(format) if !start.is_empty() => format,
         _ => detect::detect(start, length, &name)?,
     };
-    if options.scan.is_some() && !matches!(format, Format::E57 | Format::Ptx) {
-        let what = format!("{format} holds no scans to choose from");
-        return Err(Error::Unsupported { name, what, advice: "read it without --scan".into() });
-    }
-    if options.columns.is_some() && format != Format::Table {
-        let what = format!("{format} holds no table whose columns could be told");
-        return Err(Error::Unsupported { name, what, advice: "read it without --columns".into() });
-    }
+    select::fits(&name, format, options)?;
     let filters = !options.classes.is_empty() || options.returns.is_some();
     // Readers of columns; what filters need is dropped below.
     let all = ReadOptions { attributes: true, ..options.clone() };
     let (asked, options) = (options, if filters { &all } else { options });
     let decoded = by_format(&mut source, format, options)?;
     source.drain()?;
-    let (decoded, mesh::Taken { sampled, planned }) = mesh::taken(decoded, options);
-    let mut decoded = decoded;
+    let (mut decoded, mesh::Taken { sampled, planned }) = mesh::taken(decoded, options);
     place::settle(&source, options, &mut decoded)?;
     let Decoded { mut cloud, ignored, warnings, beside, missing, noise, crs, unit, las, .. } = decoded;
     let unit = unit.or_else(|| Unit::of_system(&crs));

@@ -22,7 +22,7 @@ pub use mesh::{write_mesh, write_mesh_to};
 pub use network::{NetworkContext, Parameter, write_network, write_network_to};
 pub use patches::write_patches;
 pub use picture::{write_picture, write_picture_to};
-pub use points::{PointTable, label_clutter, write_cleaned, write_points, write_points_to};
+pub use points::{PointTable, label_clutter, las_version, write_cleaned, write_points, write_points_to};
 pub use report::{Report, write_report, write_report_to};
 pub use section::{SectionContext, write_sections, write_sections_to, write_slice_picture};
 pub use stages::write_stages;

@@ -4,6 +4,7 @@ mod apply;
 mod cad;
 mod drawings;
 mod listing;
+mod surveys;
 
 use crate::common::{Sandbox, cube, json};
 

@@ -16,5 +16,4 @@ mod report;
 mod same_bytes;
 mod section;
 mod streams;
-mod surveys;
 mod threads;

@@ -3,6 +3,7 @@
 use super::{ReadOptions, Returns};
 use crate::columns::{each_column, get};
 use crate::error::Error;
+use crate::format::Format;
 use lineament::Cloud;
 use std::collections::{BTreeSet, HashMap};
 
@@ -10,6 +11,23 @@ use std::collections::{BTreeSet, HashMap};
 const FEW: usize = 100;
 /// Steps of a voxel's edge up to which f64 tells neighbouring voxels apart.
 const STEPS: f64 = (1u64 << 52) as f64;
+
+/// Refuses options that a format has no use for.
+pub(super) fn fits(name: &str, format: Format, options: &ReadOptions) -> Result<(), Error> {
+    let refused = |what: String, advice: &str| {
+        Err(Error::Unsupported { name: name.into(), what, advice: advice.into() })
+    };
+    if options.scan.is_some() && !matches!(format, Format::E57 | Format::Ptx) {
+        return refused(format!("{format} holds no scans to choose from"), "read it without --scan");
+    }
+    if options.columns.is_some() && format != Format::Table {
+        return refused(
+            format!("{format} holds no table whose columns could be told"),
+            "read it without --columns",
+        );
+    }
+    Ok(())
+}
 
 /// Keeps what the options ask for: first the box, then every n-th of what is in it, then one a voxel. Adds a sentence
 /// for each that drops points.

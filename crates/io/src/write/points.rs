@@ -36,6 +36,12 @@ pub fn write_points(path: &Path, inputs: &[PathBuf], table: &PointTable) -> Resu
     Output::whole(path, inputs, |out| write_points_to(out, format, table))
 }
 
+/// The version, 1.2 to 1.4, behind its point, that LAS and LAZ outputs of these points have: that of a LAS input unless the points
+/// carry what only 1.4 can hold, such as a column of classes beside those of LAS. `None` if LAS cannot hold the points.
+pub fn las_version(table: &PointTable) -> Option<u8> {
+    las::written_version(table)
+}
+
 /// Writes points with class and score to a stream.
 ///
 /// # Errors

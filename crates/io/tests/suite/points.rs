@@ -3,7 +3,8 @@
 use crate::common::from_bytes;
 use lineament::{Attribute, Cloud, Column};
 use lineament_io::{
-    LasFrame, LasRecord, PointFormat, PointTable, ReadOptions, Scan, write_points, write_points_to,
+    LasFrame, LasRecord, PointFormat, PointTable, ReadOptions, Scan, las_version, write_points,
+    write_points_to,
 };
 
 fn cloud() -> Cloud {
@@ -201,7 +202,7 @@ fn las_headers_count_points_by_return_and_keep_version_and_day_of_the_input() {
         let scan = from_bytes(&bytes, "a.las", &ReadOptions::default()).unwrap();
         assert_eq!(scan.las.unwrap().encoding & 1, 1);
         assert_eq!(scan.cloud.positions, cloud.positions);
-        assert_eq!(table.las_version(), Some(bytes[25]));
+        assert_eq!(las_version(&table), Some(bytes[25]));
         header(&bytes)
     };
     assert_eq!(written(&frame, &[]), (2, [41, 2019], vec![5, 3, 1, 0, 0], vec![]));

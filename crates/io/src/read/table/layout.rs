@@ -1,6 +1,6 @@
 //! The layout of a table, recognised from its first rows.
 
-use super::names;
+use super::names::{self, Refusal};
 use super::split::{Separator, ends_open, fields, is_comment, uncommented};
 use super::value::value;
 use crate::error::{Error, Place};
@@ -12,6 +12,8 @@ const SAMPLE_BYTES: usize = 1 << 16;
 const SAMPLE_ROWS: usize = 200;
 /// Rows from which on a first column that counts is taken for one of point numbers.
 const COUNTED_ROWS: usize = 5;
+const COUNTED: &str = "the first column counts the rows, as point numbers do, and is taken for x: if x, y and z are columns 2, 3 \
+    and 4, read it with --columns 2,3,4";
 
 /// The role of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,18 +78,16 @@ pub(super) fn find(source: &mut Source, asked: Option<&[String; 3]>) -> Result<L
     let columns = columns(&sample, separator);
     let lines = names::Lines { header: sample.header.as_deref(), is_comment: sample.header_is_comment };
     let named = names::of(&lines, separator, columns, asked);
-    let by_name = || names::usual(source.name(), columns);
-    let header = named.clone().or_else(by_name);
+    let header = named.clone().or_else(|| names::usual(source.name(), columns));
     if header.is_none() && asked.is_none() {
         names::misfit(&lines, separator, columns)
             .map_err(|(found, advice)| source.fault(place, found, advice))?;
     }
     let titles = sample.titles - u64::from(named.is_some() && !sample.header_is_comment);
     let bare = header.is_none() && asked.is_none();
-    if bare && separator == Separator::Byte(b',') && columns > 3 && all_digits(&sample.rows) {
-        let found = format!("{columns} columns of whole numbers separated by commas, without names");
-        let advice = "the commas may be decimal signs: put a line of names (x,y,z,...) first, or separate by semicolons";
-        return Err(source.fault(place, found, advice));
+    if bare {
+        told_apart(&sample.rows, separator, columns)
+            .map_err(|(found, advice)| source.fault(place, found, advice))?;
     }
     let mut layout = Layout {
         separator,
@@ -101,15 +101,10 @@ pub(super) fn find(source: &mut Source, asked: Option<&[String; 3]>) -> Result<L
         warnings: Vec::new(),
     };
     if bare && columns > 3 && counts(&sample.rows, &layout) {
-        layout.warnings.push(
-            "the first column counts the rows, as point numbers do, and is taken for x: if x, y and z are columns 2, 3 and 4, \
-             read it with --columns 2,3,4"
-                .into(),
-        );
+        layout.warnings.push(COUNTED.into());
     }
-    let axes = names::axes(header.as_deref(), asked, columns);
-    let axes = axes.map_err(|(found, advice)| source.fault(place, found, advice))?;
-    assign(&mut layout, axes, header, &sample.rows, columns)
+    names::axes(header.as_deref(), asked, columns)
+        .and_then(|axes| assign(&mut layout, axes, header, &sample.rows, columns))
         .map_err(|(found, advice)| source.fault(place, found, advice))?;
     if titles > 0 {
         layout.ignored.push(format!("{titles} title lines before the rows"));
@@ -182,9 +177,6 @@ fn is_row(line: &[u8]) -> bool {
     digits && (numbers >= 3 || !words)
 }
 
-/// The finding and the remedy.
-pub(super) type Refusal = (String, String);
-
 /// The separator and whether the decimal sign is a comma.
 fn separator(rows: &[Vec<u8>]) -> Result<(Separator, bool), Refusal> {
     let everywhere = |byte: u8| rows.iter().all(|row| row.contains(&byte));
@@ -243,6 +235,17 @@ fn decimal_commas(rows: &[Vec<u8>], separator: Separator) -> bool {
         }
     }
     seen
+}
+
+/// Refuses rows of which each comma could be a decimal sign.
+fn told_apart(rows: &[Vec<u8>], separator: Separator, columns: usize) -> Result<(), Refusal> {
+    if separator != Separator::Byte(b',') || columns <= 3 || !all_digits(rows) {
+        return Ok(());
+    }
+    let found = format!("{columns} columns of whole numbers separated by commas, without names");
+    let advice =
+        "the commas may be decimal signs: put a line of names (x,y,z,...) first, or separate by semicolons";
+    Err((found, advice.into()))
 }
 
 /// Whether the first column counts the rows in even steps. Rows of a grid count as well, but along them the second column stays.

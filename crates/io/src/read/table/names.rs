@@ -1,9 +1,11 @@
 //! The names of the columns of a table, and which columns are x, y and z.
 
-use super::layout::Refusal;
 use super::split::{Separator, fields, uncommented};
 use crate::number::{integer, text};
 use std::path::Path;
+
+/// The finding and the remedy.
+pub(super) type Refusal = (String, String);
 
 /// Names of x, y and z that belong together, in small letters and with `_` for blanks.
 const KNOWN: [[&str; 3]; 15] = [

@@ -17,12 +17,6 @@ pub struct PointTable<'a> {
 }
 
 impl PointTable<'_> {
-    /// The version, 1.2 to 1.4, behind its point, that LAS and LAZ outputs have: that of a LAS input unless the points carry what only
-    /// 1.4 can hold, such as a column of classes beside those of LAS. `None` if LAS cannot hold the points.
-    pub fn las_version(&self) -> Option<u8> {
-        super::las::written_version(self)
-    }
-
     /// Whether there is a column of classes. Of no points there is one.
     pub(super) fn classified(&self) -> bool {
         !self.classes.is_empty() || self.cloud.is_empty()

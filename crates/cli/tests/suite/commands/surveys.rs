@@ -64,7 +64,7 @@ fn point_numbers_are_told_and_columns_can_be_named() {
     for (name, columns) in [("numbered.txt", "2,3,4"), ("named.txt", "R-Wert,H-Wert,Kote")] {
         let run = sandbox.run(&["extract", name, "--columns", columns, "-o", "a.json"]).expect(0);
         assert!(!run.stderr.contains("warning"), "{}", run.stderr);
-        run.says(&["386 points read", "8 corners"]);
+        run.says(&["386 points read", "8 junctions"]);
     }
     sandbox.run(&["extract", "named.txt"]).expect(3).says(&["R-Wert", "--columns"]);
     sandbox.run(&["extract", "named.txt", "--columns", "2,3"]).expect(2).says(&["2,3,4"]);
