@@ -54,9 +54,13 @@ pub(super) fn read(
     let partly = overlapping.is_some();
     let chunks = match overlapping.map_or_else(|| chunks(source, &input, header, &vlr, &packing), Ok) {
         // Without a chunk table, as in a file that was cut, the chunks are found one after the other.
-        Err(error) if options.salvage => Some(walk::whole(&input, header, &vlr, &packing))
-            .filter(|whole| !whole.is_empty())
-            .ok_or(error)?,
+        Err(_) if options.salvage => {
+            let whole = walk::whole(&input, header, &vlr, &packing);
+            if whole.is_empty() {
+                return Err(nothing_whole(source, header));
+            }
+            whole
+        }
         chunks => chunks?,
     };
     let wanted: u64 = chunks.iter().map(|chunk| chunk.points).sum();
@@ -138,6 +142,13 @@ fn broken(source: &Source, chunk: &Chunk, what: &str) -> Error {
     let found =
         format!("the chunk of {} points in {} bytes cannot be unpacked ({what})", chunk.points, chunk.bytes);
     source.fault(Place::Byte(chunk.start), found, "the file is damaged; get it anew, or try --salvage")
+}
+
+/// The error for a file of which no chunk can be salvaged.
+fn nothing_whole(source: &Source, header: &Header) -> Error {
+    let found = "neither the chunk table nor a whole chunk can be found";
+    let advice = "LAZ packs points in chunks, often of 50,000, which unpack as a whole: nothing can be salvaged, get the file anew";
+    source.fault(Place::Byte(header.points_at), found, advice)
 }
 
 /// Checks the record of the packing.

@@ -8,7 +8,7 @@ use std::path::Path;
 pub(super) type Refusal = (String, String);
 
 /// Names of x, y and z that belong together, in small letters and with `_` for blanks.
-const KNOWN: [[&str; 3]; 15] = [
+const KNOWN: [[&str; 3]; 16] = [
     ["x", "y", "z"],
     ["points:0", "points:1", "points:2"],
     ["points_0", "points_1", "points_2"],
@@ -18,6 +18,7 @@ const KNOWN: [[&str; 3]; 15] = [
     ["coord_x", "coord_y", "coord_z"],
     ["xcoord", "ycoord", "zcoord"],
     ["x_coordinate", "y_coordinate", "z_coordinate"],
+    ["x_koordinate", "y_koordinate", "z_koordinate"],
     ["easting", "northing", "elevation"],
     ["east", "north", "up"],
     ["e", "n", "u"],
