@@ -7,7 +7,7 @@ fn files_for_cad_state_the_unit_and_step_warns_where_none_is_told() {
     let sandbox = Sandbox::new();
     sandbox.write_points("cube.xyz", &cube());
     let args = ["extract", "cube.xyz", "-o", "a.dxf", "-o", "a.step"];
-    sandbox.run(&args).expect(0).says(&["a.step states millimetres, as no unit is known: --unit tells it"]);
+    sandbox.run(&args).expect(0).says(&["a.step states millimetres, as none is known: --unit tells it"]);
     assert!(sandbox.read_text("a.dxf").contains("$INSUNITS\n70\n0\n"));
     let told = sandbox.run(&[args.as_slice(), &["--unit", "in", "--step-protocol", "ap214"]].concat());
     assert!(!told.expect(0).stderr.contains("warning"));

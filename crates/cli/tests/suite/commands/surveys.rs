@@ -75,12 +75,12 @@ fn sections_beside_the_scan_say_where_it_lies() {
     let sandbox = Sandbox::new();
     sandbox.write_points("a.xyz", &placed());
     let run = sandbox.run(&["section", "a.xyz", "--at=-50", "--unit", "m", "-o", "a.dxf"]).expect(0);
-    run.says(&["warning: no contour: the slices lie at -50", "from 310", "along the axis"]);
+    run.says(&["warning: no contour: the slices lie at -50", "from 309.50 to 310.50", "along the axis"]);
     let run = sandbox
         .run(&["section", "a.xyz", "--at=0.5", "--from", "lowest", "--unit", "m", "-o", "a.dxf"])
         .expect(0);
     assert!(!run.stderr.contains("warning"), "{}", run.stderr);
-    run.says(&["lowest point at 310."]);
+    run.says(&["lowest point at 309.50"]);
 }
 
 #[test]
