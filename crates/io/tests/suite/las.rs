@@ -107,7 +107,10 @@ fn whole_chunks_of_a_cut_packed_file_are_salvaged() {
         for length in [packed.len() - 12, packed.len() * 9 / 10, start.max(packed.len() * 8 / 10)] {
             let scan = from_bytes(&packed[..length], "cut.laz", &options).unwrap();
             let whole = scan.cloud.len();
-            assert!(whole % 10 == 0 || whole == 95, "format {format}: {whole} points of {length} bytes");
+            assert!(
+                whole.is_multiple_of(10) || whole == 95,
+                "format {format}: {whole} points of {length} bytes"
+            );
             assert_eq!(scan.cloud.positions, plain.cloud.positions[..whole], "format {format}");
             let missing = scan.missing.map_or((95, 95), |missing| (missing.read, missing.expected));
             assert_eq!(missing, (whole as u64, 95));
