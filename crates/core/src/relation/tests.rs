@@ -193,7 +193,7 @@ fn an_arc_whose_radius_is_open_is_in_no_relation() {
     }
 }
 
-/// Arcs bend what the least squares takes for straight: full steps went to and fro, and nothing was imposed.
+/// Arcs bend what the least squares takes for straight: by full steps, which go to and fro, fewer relations hold.
 #[test]
 fn relations_are_imposed_beside_arcs_that_are_better_known_than_their_ends() {
     let (places, pairs) = cuboid();
