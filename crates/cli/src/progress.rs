@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lineament::mesh::Fold;
 use lineament::section::{SectionParams, Sections, Stack, section_observed};
-use lineament::{Cloud, Error, Extraction, Params, Progress, Stage, extract_sampled};
+use lineament::{Cloud, Error, Extraction, Params, Progress, Stage, extract_sampled, extract_staged};
 
 /// Work shorter than this shows nothing.
 const PATIENCE: Duration = Duration::from_millis(700);
@@ -25,17 +25,25 @@ const SHARES: [(Stage, f64); 8] = [
     (Stage::Relations, 0.01),
 ];
 
-/// Extracts the lines. On a terminal, and unless the user has asked for quiet, standard error shows the stage, the share done and
+/// Extracts the lines, and keeps the stages of the method if they are to be `staged`. On a terminal, and unless the user has asked for quiet, standard error shows the stage, the share done and
 /// the time left.
-pub fn observed(cloud: &Cloud, folds: &[Fold], params: &Params, quiet: bool) -> Result<Extraction, Error> {
+pub fn observed(
+    cloud: &Cloud,
+    folds: &[Fold],
+    params: &Params,
+    staged: bool,
+    quiet: bool,
+) -> Result<Extraction, Error> {
+    let run = |observe: &(dyn Fn(Progress) + Sync)| match staged {
+        true => extract_staged(cloud, folds, params, observe),
+        false => extract_sampled(cloud, folds, params, observe),
+    };
     if is_silent(quiet) {
-        return extract_sampled(cloud, folds, params, &|_| ());
+        return run(&|_| ());
     }
     let clock = Clock::start();
     shown("extract", |line| {
-        extract_sampled(cloud, folds, params, &|progress| {
-            line.set_message(clock.text(progress.stage.name(), share(progress)));
-        })
+        run(&|progress| line.set_message(clock.text(progress.stage.name(), share(progress))))
     })
 }
 

@@ -17,6 +17,8 @@ use crate::{outputs, progress, summary};
 pub struct Work<'a> {
     pub args: &'a args::Work,
     pub params: Params,
+    /// Whether extractions keep the stages of the method.
+    pub staged: bool,
     origins: Vec<Origin>,
     /// All files that are read; no output may name one.
     pub inputs: Vec<PathBuf>,
@@ -48,7 +50,7 @@ pub fn prepare_from<'a, F, E: Into<Failure>>(
     let inputs = [source::files(&origins), args.tuning.settings.params.iter().cloned().collect()].concat();
     let plan = outputs::plan(&origins, asked, suffixes)?;
     outputs::check(&plan, &inputs, known)?;
-    Ok(Work { args, params, origins, inputs, plan })
+    Ok(Work { args, params, staged: false, origins, inputs, plan })
 }
 
 impl Work<'_> {
@@ -79,7 +81,8 @@ impl Work<'_> {
 
     /// Extracts the lines of an input.
     pub fn extract(&self, origin: &Origin, input: &Input) -> Result<Extraction, Failure> {
-        progress::observed(&input.cloud, input.folds(), &self.params, self.args.running.quiet)
+        let quiet = self.args.running.quiet;
+        progress::observed(&input.cloud, input.folds(), &self.params, self.staged, quiet)
             .map_err(|e| Failure::from(e).at(origin.shown()))
     }
 }

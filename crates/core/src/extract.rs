@@ -18,6 +18,7 @@ use crate::recover::to_world;
 use crate::relation::Related;
 use crate::report::{Clock, Progress, Report, Stage};
 use crate::resolution::Resolution;
+use crate::stages::Stages;
 
 /// Extracts the feature network of a cloud, or of `(N, 3)` positions in the world frame that are held elsewhere.
 ///
@@ -50,7 +51,21 @@ pub fn extract_sampled(
     params: &Params,
     observe: &(dyn Fn(Progress) + Sync),
 ) -> Result<Extraction, Error> {
-    pipeline(world.as_ref(), folds, params, observe, &|cloud| Ok(method::detect(cloud, params)))
+    pipeline(world.as_ref(), folds, params, observe, false, &|cloud| Ok(method::detect(cloud, params)))
+}
+
+/// As [`extract_sampled`], with the steps of the method in [`Extraction::stages`]. They take about as long as linking and recovery
+/// do.
+///
+/// # Errors
+/// As [`extract`].
+pub fn extract_staged(
+    world: &(impl AsRef<[[f64; 3]]> + ?Sized),
+    folds: &[Fold],
+    params: &Params,
+    observe: &(dyn Fn(Progress) + Sync),
+) -> Result<Extraction, Error> {
+    pipeline(world.as_ref(), folds, params, observe, true, &|cloud| Ok(method::detect(cloud, params)))
 }
 
 /// As [`extract`], with a detector of one's own and the linker of the method `penalty`. `detect` gets the positions (distinct
@@ -64,7 +79,7 @@ pub fn extract_with(
     detect: impl Fn(&[[f64; 3]], &Neighbors, Resolution) -> Measure,
 ) -> Result<Extraction, Error> {
     let params = method::with_own_detector(params);
-    pipeline(world.as_ref(), &[], &params, &|_| (), &|cloud| {
+    pipeline(world.as_ref(), &[], &params, &|_| (), false, &|cloud| {
         let measure = detect(&cloud.positions, &cloud.graph, cloud.resolution);
         measure.check(cloud.positions.len(), method::wants_patches(&params))?;
         Ok(measure)
@@ -76,6 +91,7 @@ fn pipeline(
     folds: &[Fold],
     params: &Params,
     observe: &(dyn Fn(Progress) + Sync),
+    staged: bool,
     detect: &dyn Fn(&Prepared) -> Result<Measure, Error>,
 ) -> Result<Extraction, Error> {
     params.check()?;
@@ -88,6 +104,7 @@ fn pipeline(
         clock.run(Stage::Patches, || method::patches(&cloud, &measure, &mut pattern, &mut network, params))
     });
     let related = clock.run(Stage::Relations, || method::related(&cloud, &mut network, params));
+    let stages = staged.then(|| method::stages(&cloud, &measure, &pattern, params)).flatten();
     let class = measure.class.clone().unwrap_or_else(|| classes(&cloud.positions, &network, cloud.scales()));
     let mut report = cloud.report();
     report.stages = clock.stages;
@@ -107,6 +124,7 @@ fn pipeline(
         class,
         pattern,
         clusters,
+        stages,
         network,
         related,
         patches,
@@ -147,6 +165,8 @@ pub struct Extraction {
     pub pattern: Pattern,
     /// The steps of the method `segments`, canonical indices, local frame; `None` with other methods.
     pub clusters: Option<ClusterStages>,
+    /// The steps of the methods `penalty` and `projection`; `None` with other methods, and unless [`extract_staged`] was called.
+    pub stages: Option<Stages>,
     /// The result, world frame, sources as indices of the input.
     pub network: Network,
     /// The relations between the typed curves of the network, and what their imposition moved.

@@ -12,9 +12,12 @@ mod lines;
 mod passing;
 mod repair;
 mod spanning;
+mod steps;
 mod triples;
 
 pub(crate) use beside::unborder;
 pub(crate) use chains::Known;
 pub(crate) use lines::link;
 pub(crate) use spanning::{CycleRule, Metric};
+pub(crate) use steps::steps;
+pub use steps::{LineSteps, WeighedEdge};

@@ -17,6 +17,7 @@ use crate::pattern::Pattern;
 use crate::prepare::Prepared;
 use crate::recover::{close_rings, observe, recover, refit, settle_ends, sharpen, take_back};
 use crate::relation::{Related, related as relations};
+use crate::stages::{self, Stages};
 
 /// The parameters for a detector of the caller's own: its measure goes to the linker of the method `penalty`.
 pub(crate) fn with_own_detector(params: &Params) -> Params {
@@ -113,6 +114,20 @@ pub(crate) fn recovered(cloud: &Prepared, measure: &Measure, pattern: &Pattern, 
     sharpen(&mut network, &ground, &params.recover, &params.spline);
     refit(&mut network, positions, graph, cloud.scales());
     network
+}
+
+/// The steps to a pattern and on from it for viewers; `None` of `auto`, and of `segments`, which keeps its own.
+pub(crate) fn stages(
+    cloud: &Prepared,
+    measure: &Measure,
+    pattern: &Pattern,
+    params: &Params,
+) -> Option<Stages> {
+    let rule = cycle_rule(cloud, params);
+    match params.method {
+        Method::Penalty | Method::Projection => Some(stages::of(cloud, measure, pattern, rule, params)),
+        Method::Auto | Method::Segments => None,
+    }
 }
 
 /// The relations between the typed curves of a network, which is moved so that they hold if that is asked for.

@@ -68,8 +68,8 @@ pub struct Extract {
     /// Version of the JSON schema: 2, or 1, which has no typed curves
     #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u8).range(1..=2))]
     pub schema: u8,
-    /// Folder for the stages of the method `segments`: its segmentation and each of its graphs (PLY), with their counts
-    /// and times (stages.json); several inputs get a folder each inside it
+    /// Folder for the stages of the method `penalty`, `projection` or `segments`: what it measures at each point, and each of its
+    /// graphs (PLY), with their counts (stages.json); several inputs get a folder each inside it
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub stages: Option<PathBuf>,
     #[command(flatten)]

@@ -31,7 +31,7 @@ pub struct Patches {
     pub output: Vec<PathBuf>,
     #[command(flatten)]
     pub cad: Cad,
-    /// Folder for the stages of the method `segments`, as of `extract`
+    /// Folder for the stages of the method, as of `extract`
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub stages: Option<PathBuf>,
     #[command(flatten)]

@@ -29,7 +29,7 @@ pub fn run(args: &Extract) -> Result<(), Failure> {
     let view = view(&args.view)?;
     let mut work = work::prepare(&args.work, &args.output, &SUFFIXES, network_format)?;
     work.params.relations.regularise |= args.regularise;
-    stages::check(&work, args.stages.as_deref())?;
+    stages::keep(&mut work, args.stages.as_deref())?;
     listing::check(&work, args.report.as_deref())?;
     work.each(|origin, outputs| one(&work, args, origin, outputs, view))
 }

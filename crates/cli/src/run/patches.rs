@@ -29,7 +29,7 @@ pub fn run(args: &args::Patches) -> Result<(), Failure> {
     let params = Params { method: Method::Segments, ..Params::default() };
     let mut work = work::prepare_from(params, &args.work, &args.output, &SUFFIXES, patch_format)?;
     work.params.patches.find = Auto::Given(true);
-    stages::check(&work, args.stages.as_deref())?;
+    stages::keep(&mut work, args.stages.as_deref())?;
     work.each(|origin, outputs| one(&work, args, origin, outputs))
 }
 

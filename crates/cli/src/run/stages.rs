@@ -1,4 +1,4 @@
-//! `--stages`: the stages of the method `segments`.
+//! `--stages`: the stages of a method.
 
 use std::path::{Path, PathBuf};
 
@@ -10,13 +10,14 @@ use crate::outputs;
 use crate::source::Origin;
 use crate::work::Work;
 
-/// Refuses stages of a method that has none.
-pub fn check(work: &Work, folder: Option<&Path>) -> Result<(), Failure> {
-    if folder.is_none() || work.params.method == Method::Segments {
+/// Has the stages kept if there is a folder for them; refuses those of the default method, which has none to show.
+pub fn keep(work: &mut Work, folder: Option<&Path>) -> Result<(), Failure> {
+    work.staged = folder.is_some();
+    if folder.is_none() || work.params.method != Method::Auto {
         return Ok(());
     }
-    let failure = Failure::new(Code::Usage, "--stages: only the method `segments` has stages to show");
-    Err(failure.advise("add `--method segments`"))
+    let failure = Failure::new(Code::Usage, "--stages: the method `auto` has no stages to show");
+    Err(failure.advise("add `--method penalty`, `projection` or `segments`"))
 }
 
 /// Writes the stages of one input into `folder`, which is made if it is not there; of several inputs into a folder of that

@@ -4,6 +4,7 @@ mod apply;
 mod cad;
 mod drawings;
 mod listing;
+mod stages;
 mod surveys;
 
 use crate::common::{Sandbox, cube, json};
@@ -273,30 +274,6 @@ fn patches_writes_labelled_points_loops_and_surfaces() {
     let lines = root["strips"].as_array().unwrap().iter().flat_map(|s| s["curves"].as_array().unwrap());
     // Every strip stands in the loops of two patches.
     assert_eq!(drawing.matches("\n8\nPATCH_").count(), 2 * lines.count());
-}
-
-#[test]
-fn stages_writes_every_graph_of_the_method_segments_and_of_no_other() {
-    let sandbox = Sandbox::new();
-    sandbox.write_points("cube.xyz", &cube());
-    let args = ["extract", "cube.xyz", "-o", "a.json", "--stages", "steps"];
-    sandbox.run(&args).expect(2).says(&["--method segments"]);
-    sandbox.run(&[args.as_slice(), &["--method", "segments"]].concat()).expect(0).says(&["stages.json"]);
-    let graphs = ["G_all", "G_extended", "G_pruned_mst", "G_pruned_branches", "G_closed", "G_smooth"];
-    let table = json(&sandbox.path("steps/stages.json"));
-    assert_eq!(table["points"], 386);
-    for (name, row) in graphs.iter().zip(table["graphs"].as_array().unwrap()) {
-        assert_eq!(row["name"], *name);
-        let file = sandbox.read(&format!("steps/{name}.ply"));
-        let header = String::from_utf8_lossy(&file[..400.min(file.len())]).into_owned();
-        assert!(header.starts_with("ply\n"), "{header}");
-        assert!(header.contains(&format!("element edge {}\n", row["edges"])), "{header}");
-    }
-    let border = sandbox.read("steps/border.ply");
-    let held = format!("element edge {}\n", table["border"]["edges"]);
-    assert!(String::from_utf8_lossy(&border[..400.min(border.len())]).contains(&held), "{held}");
-    assert_eq!(table["graphs"][4]["open_ends"], 0);
-    assert!(sandbox.path("steps/segmentation.ply").exists());
 }
 
 #[test]

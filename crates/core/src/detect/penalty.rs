@@ -9,8 +9,9 @@ mod robust;
 pub(crate) use as_printed::note;
 
 use crate::detect::evidence::hops::hops;
+use crate::math::tensor::{Ellipsoid, ellipsoid};
 use crate::measure::{Measure, Penalties};
-use crate::neighbors::{Neighbors, mean_distance};
+use crate::neighbors::{Neighbors, mean_distance, riemannian::Scratch};
 use crate::parallel;
 use crate::params::{PenaltyForm, PenaltyParams};
 use crate::resolution::Resolution;
@@ -48,6 +49,23 @@ pub fn penalty(points: &[[f64; 3]], graph: &Neighbors, scales: Scales, params: &
 pub(crate) fn robust_steps(params: &PenaltyParams, scales: Scales, count: usize) -> usize {
     let widest = (0..count).map(|i| hops(params.hops, scales.at(i))).max();
     robust::steps(widest.unwrap_or(1))
+}
+
+/// `(N)` the correlation ellipsoid of every point over its neighbourhood (section 3.1, figure 6), that of the place in the robust form.
+pub(crate) fn ellipsoids(
+    points: &[[f64; 3]],
+    graph: &Neighbors,
+    scales: Scales,
+    params: &PenaltyParams,
+) -> Vec<Ellipsoid> {
+    let everywhere = derive(params, scales.mean).hops;
+    let hops = |i: usize| match params.form {
+        PenaltyForm::Robust => hops(params.hops, scales.at(i)),
+        PenaltyForm::Paper => everywhere,
+    };
+    parallel::map_with(points.len(), parallel::QUICK, |scratch: &mut Scratch, i| {
+        ellipsoid(points, i, graph.hops(i, hops(i), scratch))
+    })
 }
 
 /// The border penalties alone.

@@ -22,6 +22,7 @@ pub(crate) mod candidates;
 mod choice;
 pub mod marks;
 pub mod scales;
+pub mod steps;
 
 pub(crate) use choice::floor_spacings;
 

@@ -5,7 +5,7 @@ use super::flat;
 use super::handles;
 use super::passing;
 use super::repair::{bridge, dock, repair};
-use super::spanning::{CycleRule, candidate_edges, minimum_spanning_graph, prune};
+use super::spanning::{Candidate, CycleRule, candidate_edges, minimum_spanning_graph, prune};
 use super::triples;
 use crate::measure::{Measure, Penalties};
 use crate::neighbors::Neighbors;
@@ -74,8 +74,36 @@ pub(super) fn lines_of(
     density: &[f32],
     penalties: &Penalties,
     scales: Scales,
-    LineRules { tau, cycle, repair: params }: LineRules,
+    rules: LineRules,
     kind: StripKind,
+) -> LineGraph {
+    let LineRules { cycle, repair: params, .. } = rules;
+    let rule = cycle.of(kind);
+    let mut lines = pruned(graph, density, penalties, scales, rules, kind, |_| ());
+    match rule.form {
+        PenaltyForm::Paper => {}
+        PenaltyForm::Robust => repair(&mut lines, kind, scales, rule, params),
+    }
+    lines
+}
+
+/// What a viewer sees on the way to the pruned graph.
+pub(super) enum Step<'a> {
+    /// The queue of edges, the lightest first.
+    Edges(&'a [Candidate]),
+    /// The minimum spanning graph.
+    Spanning(&'a LineGraph),
+}
+
+/// The pruned minimum spanning graph of one kind of line; `see` is shown each step before it.
+pub(super) fn pruned(
+    graph: &Neighbors,
+    density: &[f32],
+    penalties: &Penalties,
+    scales: Scales,
+    LineRules { tau, cycle, .. }: LineRules,
+    kind: StripKind,
+    mut see: impl FnMut(Step),
 ) -> LineGraph {
     let rule = cycle.of(kind);
     let hops = match (kind, rule.form) {
@@ -83,11 +111,9 @@ pub(super) fn lines_of(
         _ => 1,
     };
     let edges = candidate_edges(graph, density, penalties, scales, tau, hops);
+    see(Step::Edges(&edges));
     let mut lines = minimum_spanning_graph(penalties, &edges, scales, rule);
+    see(Step::Spanning(&lines));
     prune(&mut lines, rule);
-    match rule.form {
-        PenaltyForm::Paper => {}
-        PenaltyForm::Robust => repair(&mut lines, kind, scales, rule, params),
-    }
     lines
 }

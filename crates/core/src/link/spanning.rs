@@ -18,4 +18,4 @@ pub(crate) use rule::{CycleRule, Metric};
 pub(super) use walk::Walker;
 pub(super) use web::Web;
 pub use weight::Candidate;
-pub(super) use weight::{candidate_edges, sort};
+pub(super) use weight::{candidate_edges, length_term, sort};

@@ -83,7 +83,7 @@ pub fn otsu3(values: &[f32], bins: usize) -> Option<[f64; 2]> {
 }
 
 /// Counts of the finite values in equal bins over `[0, 1]`, at least two.
-fn histogram(values: &[f32], bins: usize) -> Vec<u64> {
+pub fn histogram(values: &[f32], bins: usize) -> Vec<u64> {
     let mut counts = vec![0; bins.max(2)];
     let bins = counts.len();
     for &value in values.iter().filter(|v| v.is_finite()) {

@@ -12,5 +12,6 @@ mod quadric_error;
 mod view;
 
 pub(super) use faces::corners;
-pub(super) use junctions::junctions;
+pub(super) use group::Grouping;
+pub(super) use junctions::{junctions, strange};
 pub(super) use quadric_error::Corner;

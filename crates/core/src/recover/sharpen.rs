@@ -1,6 +1,7 @@
 //! Feature recovery (Gumhold 2001, section 4): junctions first, then the crease strips up to them.
 
-use super::corner::{Corner, corners, junctions};
+use super::corner::{Corner, corners as faces, junctions, strange};
+use super::recovery::{Pass, deviations};
 use super::spline::{self, Place};
 use super::wedge::{self, FAR, Recovered, Scratch, Side, Station, beside, stations};
 use crate::math::vec3::distance;
@@ -18,16 +19,20 @@ const FILLED: std::ops::RangeInclusive<f64> = -0.1..=0.45;
 const PASSES: usize = 2;
 
 /// Lays creases and the nodes between them where their faces meet; local frame, sources as canonical indices.
-pub(crate) fn sharpen(network: &mut Network, ground: &Ground, params: &WedgeParams, spline: &SplineParams) {
+/// Returns what the last pass found; `None` where nothing is to be recovered.
+pub(crate) fn sharpen(
+    network: &mut Network,
+    ground: &Ground,
+    params: &WedgeParams,
+    spline: &SplineParams,
+) -> Option<Pass> {
     let form = params.wedge;
     let passes = match form {
         WedgeForm::None => 0,
         WedgeForm::Paper => 1,
         WedgeForm::Quadric => PASSES,
     };
-    for _ in 0..passes {
-        pass(network, ground, form, params, spline);
-    }
+    (0..passes).map(|_| pass(network, ground, form, params, spline)).last()
 }
 
 fn pass(
@@ -36,16 +41,17 @@ fn pass(
     form: WedgeForm,
     params: &WedgeParams,
     spline: &SplineParams,
-) {
+) -> Pass {
     let strips = &network.strips;
     let crease = |s: usize| strips[s].kind == StripKind::Crease;
     let stations: Vec<Vec<Station>> = parallel::map(strips.len(), parallel::TASK, |s| {
         if crease(s) { stations(&strips[s], ground.points, ground.scales) } else { Vec::new() }
     });
-    let (mut corner, strange) = match form {
+    let (mut corners, around) = match form {
         WedgeForm::Paper => junctions(network, &stations, ground, params),
-        _ => (Vec::new(), vec![Vec::new(); strips.len()]),
+        _ => Default::default(),
     };
+    let strange = strange(strips.len(), &around);
     let sides: Vec<Vec<Side>> =
         parallel::map_with(strips.len(), parallel::TASK, |scratch: &mut Scratch, s| {
             wedge::group(&strips[s], &stations[s], &strange[s], ground, params, scratch)
@@ -53,7 +59,7 @@ fn pass(
     let found: Vec<Vec<Recovered>>;
     if form == WedgeForm::Quadric {
         let beside = beside(network, &sides, ground);
-        corner = corners(network, ground, &beside, params);
+        corners = faces(network, ground, &beside, params);
         found = recovered(network, &stations, ground, params, |s, station, scratch| {
             wedge::quadric(station, s, ground, &beside, scratch)
         });
@@ -63,7 +69,8 @@ fn pass(
             wedge::printed(station, &scratch.near, &sides[s], ground)
         });
     }
-    lay(network, &corner, &found, ground, spline);
+    lay(network, &corners, &found, ground, spline);
+    Pass { sides, around, found, corners }
 }
 
 /// `(S)` the recovered crease points of each strip in order; none where too few can be.
@@ -119,9 +126,4 @@ fn lay(
         };
         spline::relay(strip, &places, ends, ground.scales, spline);
     }
-}
-
-/// The standard deviations on the axes.
-fn deviations(covariance: &[[f64; 3]; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|k| covariance[k][k].max(0.0).sqrt())
 }

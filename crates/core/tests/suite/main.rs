@@ -18,3 +18,4 @@ mod section_degenerate;
 mod section_properties;
 mod sections;
 mod shapes_networks;
+mod stages;

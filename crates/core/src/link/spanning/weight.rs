@@ -75,9 +75,14 @@ fn weigh(
     // w_c = alpha (omega_kappa of both ends) + (1 - alpha) (min of |omega_cr . e| and omega_co of both ends) + length term;
     // w_b the same with gamma, omega_b2 and omega_b1. The length term is 2 |e| / (mu(p) + mu(q)).
     let share = penalties.share * scalar + (1.0 - penalties.share) * directional;
-    let weight =
-        share + if density[0] + density[1] > 0.0 { 2.0 * length / (density[0] + density[1]) } else { 0.0 };
+    let weight = share + length_term(length, density);
     (share < tau).then_some(Candidate { weight, a: a as u32, b: b as u32 })
+}
+
+/// The part of a weight that grows with the length of the edge; `density` is `mu` at both ends, zero where unknown.
+pub(crate) fn length_term(length: f64, density: [f64; 2]) -> f64 {
+    let sum = density[0] + density[1];
+    if sum > 0.0 { 2.0 * length / sum } else { 0.0 }
 }
 
 /// The directional penalty of one end of an edge, at most its corner penalty.

@@ -15,22 +15,32 @@ const CREASES: usize = 3;
 /// Distance along a strip from the junction at which its direction is looked at, units of the place.
 const BESIDE: f64 = 3.0;
 
-/// `(N)` the corners, and `(S)` the ascending points around the ends of each strip that lie on neither of its faces. `stations` are the
-/// crease points of all strips.
+/// `(N)` the corners, and the groups around the nodes that have some. `stations` are the crease points of all strips.
 pub(in crate::recover) fn junctions(
     network: &Network,
     stations: &[Vec<Station>],
     ground: &Ground,
     params: &WedgeParams,
-) -> (Vec<Option<Corner>>, Vec<Vec<u32>>) {
+) -> (Vec<Option<Corner>>, Vec<(usize, Grouping)>) {
     let ends = ends(network);
     let found = parallel::map_with(ends.len(), parallel::TASK, |scratch: &mut Scratch, n| {
         (ends[n].len() >= CREASES)
             .then(|| junction(network, n, &ends[n], stations, ground, params, scratch))
             .flatten()
     });
-    let mut strange = vec![Vec::new(); network.strips.len()];
-    for grouping in found.iter().flatten().map(|(_, g)| g) {
+    let (mut corners, mut around) = (Vec::new(), Vec::new());
+    for (n, found) in found.into_iter().enumerate() {
+        let (corner, grouping) = found.unzip();
+        corners.push(corner.flatten());
+        around.extend(grouping.map(|g| (n, g)));
+    }
+    (corners, around)
+}
+
+/// `(S)` the ascending points around the ends of each strip that lie on neither of its faces.
+pub(in crate::recover) fn strange(strips: usize, around: &[(usize, Grouping)]) -> Vec<Vec<u32>> {
+    let mut strange = vec![Vec::new(); strips];
+    for (_, grouping) in around {
         for &s in &grouping.strips {
             strange[s].extend(grouping.strange_to(s));
         }
@@ -39,7 +49,7 @@ pub(in crate::recover) fn junctions(
         list.sort_unstable();
         list.dedup();
     }
-    (found.into_iter().map(|f| f.and_then(|(corner, _)| corner)).collect(), strange)
+    strange
 }
 
 fn junction(
