@@ -8,7 +8,7 @@ fn the_default_method_has_no_stages_and_segments_has_every_graph() {
     let sandbox = Sandbox::new();
     sandbox.write_points("cube.xyz", &cube());
     let args = ["extract", "cube.xyz", "-o", "a.json", "--stages", "steps"];
-    sandbox.run(&args).expect(2).says(&["--method segments"]);
+    sandbox.run(&args).expect(2).says(&["the method `auto` has no stages"]);
     sandbox.run(&[args.as_slice(), &["--method", "segments"]].concat()).expect(0).says(&["stages.json"]);
     let graphs = ["G_all", "G_extended", "G_pruned_mst", "G_pruned_branches", "G_closed", "G_smooth"];
     let table = json(&sandbox.path("steps/stages.json"));
