@@ -22,10 +22,13 @@ from lineament._errors import (
 )
 from lineament._classify import Classification, classify
 from lineament._clean import Cleaned, clean
+from lineament._enrich import Enriched, enrich
 from lineament._evaluate import Distances, Found, Hits, Score, Truth, TruthCurve, TruthNode, evaluate, truth
 from lineament._extraction import Extraction, Progress, extract, patches
+from lineament._graph import Graph, graph
 from lineament._lineament import VERSION as __version__
 from lineament._curves import BSpline, Curve
+from lineament._mesh import Mesh, mesh
 from lineament._network import Network, Node, Provenance, Strip
 from lineament._parameters import Parameter, parameters
 from lineament._patches import Loop, Patch, Patches, Sides, Surface
@@ -47,14 +50,17 @@ __all__ = [
     "Contour",
     "Curve",
     "Distances",
+    "Enriched",
     "Extraction",
     "Found",
+    "Graph",
     "Hits",
     "InputError",
     "InputNotFoundError",
     "InternalError",
     "LineamentError",
     "Loop",
+    "Mesh",
     "Mirror",
     "Network",
     "Node",
@@ -88,8 +94,11 @@ __all__ = [
     "__version__",
     "classify",
     "clean",
+    "enrich",
     "evaluate",
     "extract",
+    "graph",
+    "mesh",
     "parameters",
     "patches",
     "read",

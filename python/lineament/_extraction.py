@@ -152,6 +152,11 @@ def run(points: PointsLike, given: list[tuple[str, str]], progress: Progress) ->
     scan = as_scan(points)
     with watcher(progress) as watch:
         raw = _lineament.extract(scan.points, given, watch, scan.folds)
+    return of(raw, scan)
+
+
+def of(raw: _lineament.RawExtraction, scan: Scan) -> Extraction:
+    """The extraction that the compiled part gave of a scan."""
     report = Report._of(raw["report"])
     used = raw["report"]["used"]
     known = {"method": report.used["method"], "parameters": used, "spacing": report.spacing, "noise": report.noise}

@@ -21,22 +21,30 @@ __all__ = [
     "clean",
     "detectors",
     "draw",
+    "enrich",
     "evaluate",
     "extract",
+    "graph",
     "main",
     "mark",
+    "mesh",
     "parameters",
     "png",
     "read",
+    "read_mesh",
     "render",
     "sample",
     "samples",
     "section",
     "truth",
+    "write_enriched",
+    "write_graph",
+    "write_mesh",
     "write_network",
     "write_picture",
     "write_points",
     "write_scan",
+    "write_text",
 ]
 
 VERSION: Final[str]
@@ -211,6 +219,20 @@ class RenderOptions(TypedDict):
     width: int
     height: int
     caption: bool
+    style: str
+    hidden: str
+    color: str
+    background: str
+    scale_bar: bool
+    unit: str | None
+    alone: bool
+    seen: bool
+
+@type_check_only
+class RawMeshFile(TypedDict):
+    vertices: npt.NDArray[np.float64]
+    triangles: npt.NDArray[np.uint32]
+    warnings: list[str]
 
 @type_check_only
 class RawPiece(TypedDict):
@@ -362,6 +384,27 @@ class RawExtraction(TypedDict):
     regularised: RawRegularised | None
     report: RawReport
 
+@type_check_only
+class RawGraph(TypedDict):
+    extraction: RawExtraction
+    edges: npt.NDArray[np.uint32]
+    cut: npt.NDArray[np.uint32]
+
+@type_check_only
+class RawEnriched(TypedDict):
+    extraction: RawExtraction
+    points: npt.NDArray[np.float64]
+    kinds: npt.NDArray[np.uint8]
+    sources: npt.NDArray[np.uint32]
+
+@type_check_only
+class RawMesh(TypedDict):
+    extraction: RawExtraction
+    vertices: npt.NDArray[np.float64]
+    kinds: npt.NDArray[np.uint8]
+    triangles: npt.NDArray[np.uint32]
+    open_edges: int
+
 @final
 class Found:
     def __new__(cls, state: bytes) -> Self: ...
@@ -414,6 +457,50 @@ def extract(
     progress: Callable[[str, float], object] | None = None,
     folds: Folds | None = None,
 ) -> RawExtraction: ...
+def graph(
+    points: npt.NDArray[np.float64],
+    settings: Sequence[tuple[str, str]],
+    kind: str,
+    progress: Callable[[str, float], object] | None = None,
+    folds: Folds | None = None,
+) -> RawGraph: ...
+def enrich(
+    points: npt.NDArray[np.float64],
+    settings: Sequence[tuple[str, str]],
+    step: float,
+    progress: Callable[[str, float], object] | None = None,
+    folds: Folds | None = None,
+) -> RawEnriched: ...
+def mesh(
+    points: npt.NDArray[np.float64],
+    settings: Sequence[tuple[str, str]],
+    step: float | None,
+    lines: bool,
+    progress: Callable[[str, float], object] | None = None,
+    folds: Folds | None = None,
+) -> RawMesh: ...
+def write_graph(
+    path: str,
+    scan: Scan,
+    provenance: Provenance,
+    edges: npt.NDArray[np.uint32],
+    cut: npt.NDArray[np.uint32],
+    all: bool,
+) -> None: ...
+def write_enriched(
+    path: str,
+    scan: Scan,
+    classes: npt.NDArray[np.uint8],
+    added: tuple[npt.NDArray[np.float64], npt.NDArray[np.uint8], npt.NDArray[np.uint32]],
+    only: bool,
+) -> None: ...
+def write_mesh(
+    path: str,
+    inputs: Sequence[str],
+    vertices: npt.NDArray[np.float64],
+    kinds: npt.NDArray[np.uint8],
+    triangles: npt.NDArray[np.uint32],
+) -> None: ...
 def sample(name: str, seed: int) -> npt.NDArray[np.float64] | None: ...
 def samples() -> list[tuple[str, str]]: ...
 def section(
@@ -427,9 +514,17 @@ def clean(
     progress: Callable[[str, float], object] | None = None,
 ) -> RawCleaned: ...
 def write_scan(path: str, scan: Scan, clutter: npt.NDArray[np.uint32] | None) -> None: ...
-def render(points: npt.NDArray[np.float64], network: Network | None, options: RenderOptions) -> npt.NDArray[np.uint8]: ...
+def render(
+    points: npt.NDArray[np.float64],
+    network: Network | None,
+    mesh: tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]] | None,
+    tints: npt.NDArray[Any] | None,
+    options: RenderOptions,
+) -> tuple[npt.NDArray[np.uint8], str | None]: ...
+def read_mesh(path: str) -> RawMeshFile: ...
 def png(picture: npt.NDArray[np.uint8]) -> bytes: ...
 def write_picture(path: str, inputs: Sequence[str], picture: npt.NDArray[np.uint8]) -> None: ...
+def write_text(path: str, inputs: Sequence[str], text: str) -> None: ...
 def truth(name: str, seed: int) -> RawTruth | None: ...
 def evaluate(network: Network, truth: Truth, spacing: float) -> RawScore: ...
 def detectors() -> list[str]: ...

@@ -13,6 +13,7 @@ mod outline;
 mod result;
 mod slicing;
 mod stack;
+mod steps;
 mod surface;
 
 use crate::error::Error;
@@ -26,6 +27,7 @@ pub use crate::params::section::{Axis, Outline, Planes, Side, Zero};
 pub use frame::SliceFrame;
 pub use result::{Contour, CurvePiece, CurveShape, Missing, Section, Sections};
 pub use stack::{Feature, Mirror, Repeat, Run, Stack, stack};
+pub use steps::{Circle, FeaturePoint, Projected, SliceSteps};
 
 use slicing::slicer::Slicer;
 use surface::tiles::Tiles;
@@ -61,6 +63,22 @@ pub fn section_observed(
     Ok((Sections { clutter, ..sections }, stack))
 }
 
+/// The steps to the sections of a cloud, one for each plane, in the order of [`Sections::sections`]: all is cut once more for them.
+///
+/// # Errors
+/// Those of [`section()`].
+pub fn steps(
+    cloud: &(impl AsRef<[[f64; 3]]> + ?Sized),
+    params: &SectionParams,
+) -> Result<Vec<SliceSteps>, Error> {
+    params.check()?;
+    let (local, _) = on_surfaces(cloud.as_ref(), params)?;
+    let index = Index::build(&local.positions);
+    let slicer = Slicer::new(&local, &index, params, &|_| ());
+    let heights: Vec<f64> = slicer.planned()?.iter().map(|cut| cut.0).collect();
+    Ok(slicer.steps(&heights))
+}
+
 /// The points of a cloud that lie on surfaces, localised, and the number of those that do not.
 fn on_surfaces(points: &[[f64; 3]], params: &SectionParams) -> Result<(Localised, usize), Error> {
     let mut local = Frame::of_points(points)?.with_spacing()?;
@@ -82,10 +100,7 @@ fn sections(
     observe: &(dyn Fn(f64) + Sync),
 ) -> Result<(Sections, Tiles), Error> {
     let slicer = Slicer::new(local, index, params, observe);
-    let mut cuts = slicer.cuts()?;
-    if let Planes::Adaptive { start, most } = params.planes {
-        cuts = slicer.adapted(start, most);
-    }
+    let cuts = slicer.planned()?;
     let heights: Vec<f64> = cuts.iter().map(|cut| cut.0).collect();
     let mut found = slicer.cut(&heights);
     found.iter_mut().zip(&cuts).for_each(|(section, cut)| section.slab = cut.1);

@@ -42,5 +42,6 @@ pub use write::{
     label_clutter, las_version, list_format, write_cleaned, write_drawing, write_drawing_to, write_graph,
     write_graph_to, write_list, write_mesh, write_mesh_to, write_network, write_network_to, write_patches,
     write_picture, write_picture_to, write_points, write_points_to, write_report, write_report_to,
-    write_sections, write_sections_to, write_slice_picture, write_stages, write_verdicts,
+    write_section_stages, write_sections, write_sections_to, write_slice_picture, write_stages,
+    write_verdicts,
 };

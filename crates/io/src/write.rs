@@ -25,5 +25,5 @@ pub use picture::{write_picture, write_picture_to};
 pub use points::{PointTable, label_clutter, las_version, write_cleaned, write_points, write_points_to};
 pub use report::{Report, write_report, write_report_to};
 pub use section::{SectionContext, write_sections, write_sections_to, write_slice_picture};
-pub use stages::write_stages;
+pub use stages::{write_section_stages, write_stages};
 pub use verdicts::write_verdicts;

@@ -2,7 +2,9 @@
 
 pub mod attributes;
 
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{
+    Element, IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods,
+};
 use pyo3::prelude::*;
 
 use crate::fault::Fault;
@@ -20,8 +22,21 @@ pub fn rows<'a>(array: &'a PyReadonlyArray2<'_, f64>) -> Result<&'a [[f64; 3]], 
     }
 }
 
+/// The rows of an `(N, D)` array of indices.
+///
+/// # Errors
+/// Rows of another length.
+pub fn pairs<const D: usize>(array: &PyReadonlyArray2<'_, u32>) -> Result<Vec<[u32; D]>, Fault> {
+    let wrong = || Fault::Argument(format!("indices of shape {:?}: expected (N, {D})", array.shape()));
+    let row = |row: numpy::ndarray::ArrayView1<'_, u32>| row.to_vec().try_into().map_err(|_| wrong());
+    array.as_array().rows().into_iter().map(row).collect()
+}
+
 /// An `(N, D)` array of rows, which it takes over.
-pub fn table<const D: usize>(py: Python<'_>, rows: Vec<[f64; D]>) -> PyResult<Bound<'_, PyArray2<f64>>> {
+pub fn table<T: Element, const D: usize>(
+    py: Python<'_>,
+    rows: Vec<[T; D]>,
+) -> PyResult<Bound<'_, PyArray2<T>>> {
     let count = rows.len();
     rows.into_flattened().into_pyarray(py).reshape([count, D])
 }

@@ -1,5 +1,7 @@
 //! `extract`: points in, network, classes and report out.
 
+pub mod applied;
+
 use std::path::{Path, PathBuf};
 
 use lineament::patch::NO_PATCH;
@@ -67,7 +69,7 @@ pub fn extract<'py>(
 }
 
 /// The part of an extraction that Python shows.
-struct Kept {
+pub struct Kept {
     network: Network,
     patches: Option<Patches>,
     related: Related,
@@ -79,7 +81,8 @@ struct Kept {
 }
 
 impl Kept {
-    fn of(found: Extraction) -> Kept {
+    /// The part of `found`.
+    pub fn of(found: Extraction) -> Kept {
         Kept {
             classes: found.classes().into_iter().map(|class| class as u8).collect(),
             scores: found.scores(),
@@ -99,7 +102,8 @@ fn labels(found: &Extraction) -> Vec<i32> {
     found.patch_labels().into_iter().map(signed).collect()
 }
 
-fn out(py: Python<'_>, kept: Kept) -> PyResult<ExtractionOut<'_>> {
+/// An extraction for Python.
+pub fn out(py: Python<'_>, kept: Kept) -> PyResult<ExtractionOut<'_>> {
     let Kept { network, patches, related, classes, scores, clutter, labels, report } = kept;
     Ok(ExtractionOut {
         network: network::out(py, &network)?,

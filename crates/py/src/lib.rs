@@ -32,13 +32,15 @@ mod _lineament {
     #[pymodule_export]
     use crate::evaluation::{evaluate, truth};
     #[pymodule_export]
+    use crate::extraction::applied::{enrich, graph, mesh, write_enriched, write_graph, write_mesh};
+    #[pymodule_export]
     use crate::extraction::{Found, extract};
     #[pymodule_export]
     use crate::marks::{detectors, mark, write_points};
     #[pymodule_export]
     use crate::network::{draw, write_network};
     #[pymodule_export]
-    use crate::picture::{png, render, write_picture};
+    use crate::picture::{png, read_mesh, render, write_picture, write_text};
     #[pymodule_export]
     use crate::program::main;
     #[pymodule_export]

@@ -90,7 +90,10 @@ impl Provenance {
 }
 
 /// The unit of a sign.
-fn known(sign: Option<&str>) -> Result<Option<Unit>, Fault> {
+///
+/// # Errors
+/// A sign of no unit.
+pub fn known(sign: Option<&str>) -> Result<Option<Unit>, Fault> {
     let parse = |sign: &str| {
         let units = || Unit::ALL.map(Unit::sign).join(", ");
         Unit::parse(sign).ok_or_else(|| Fault::Argument(format!("unit: `{sign}` is none of {}", units())))

@@ -57,6 +57,10 @@ pub struct Section {
     pub output: Vec<PathBuf>,
     #[command(flatten)]
     pub slicing: Slicing,
+    /// Folder for the steps to the sections: slabs, points on the planes, hulls round by round, empty circles (PLY), with their counts
+    /// (stages.json); several inputs get a folder each inside it
+    #[arg(long, help_heading = "Output", value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub stages: Option<PathBuf>,
     /// Millimetres of a drawing (SVG) for one unit of the input [default: fit 200 mm]
     #[arg(long, help_heading = "Output", value_name = "MM", value_parser = parse::length)]
     pub millimetres: Option<f64>,

@@ -6,7 +6,7 @@ mod tints;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use lineament::apply::render::{Scene, Settings, Surfel, Triangles, draw, render, surfels};
+use lineament::apply::render::{Scene, Settings, Surfel, Triangles, draw, lines_spacing, render, surfels};
 use lineament::params::Auto;
 use lineament::{Extraction, Network};
 use lineament_io as io;
@@ -112,7 +112,7 @@ fn lines_alone(origin: &Origin) -> Option<&Path> {
 /// Lines without points; the surface is the mesh, if there is one.
 fn of_lines(work: &Work, path: &Path, mesh: Option<&io::MeshFile>) -> Result<Shown, Failure> {
     let network = network_file::read(path)?;
-    let spacing = form::spacing(&network, mesh);
+    let spacing = lines_spacing(&network, mesh.map_or(&[][..], |mesh| &mesh.vertices));
     Ok(Shown { network: Some(network), spacing, inputs: work.inputs.clone(), ..Shown::default() })
 }
 

@@ -3,16 +3,19 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use lineament::section::{SectionParams, Zero};
-use lineament_io::{Report, SectionContext, SectionFormat, section_format, write_report, write_sections};
+use lineament::Cloud;
+use lineament::section::{SectionParams, Sections, Zero, steps};
+use lineament_io::{
+    Report, SectionContext, SectionFormat, section_format, write_report, write_section_stages, write_sections,
+};
 
-use super::page;
 use super::slicing::{HEADER, cut, row, said};
+use super::{page, stages};
 use crate::args::Section;
 use crate::batch::{self, Done};
 use crate::failure::{Code, Failure};
 use crate::source::{self, Origin};
-use crate::{config, outputs, summary};
+use crate::{config, outputs, progress, summary};
 
 /// Suffixes of the files that a folder gets.
 const SUFFIXES: [&str; 2] = ["sections.json", "sections.dxf"];
@@ -32,7 +35,10 @@ pub fn run(args: &Section) -> Result<(), Failure> {
     let inputs = [source::files(&origins), args.slicing.settings.params.iter().cloned().collect()].concat();
     let plan = outputs::plan(&origins, &args.output, &SUFFIXES)?;
     outputs::check(&plan, &inputs, section_format)?;
-    batch::run(&HEADER, &origins, &args.running, |i, origin| one(args, origin, &inputs, &plan[i], &params))
+    let several = origins.len() > 1;
+    batch::run(&HEADER, &origins, &args.running, |i, origin| {
+        one(args, origin, &inputs, &plan[i], &params, several)
+    })
 }
 
 fn one(
@@ -41,6 +47,7 @@ fn one(
     inputs: &[PathBuf],
     outputs: &[PathBuf],
     params: &SectionParams,
+    several: bool,
 ) -> Result<Done, Failure> {
     let start = Instant::now();
     let hash = outputs.iter().any(|path| matches!(section_format(path), Ok(SectionFormat::Json)));
@@ -67,6 +74,7 @@ fn one(
             false => write_sections(path, &inputs, &sections, &context),
         })?;
     }
+    let staged = staged(args, origin, inputs, several, &input.cloud, &sections, params)?;
     let mut lines = said(&args.running, &input, &sections, &context.stack);
     if params.from == Zero::Floor && sections.zero.0 != Zero::Floor {
         lines.push("warning: no floor: no large level face with little of the surface below it".into());
@@ -74,6 +82,23 @@ fn one(
     lines.extend(summary::unplaced(&input, outputs));
     lines.extend(summary::unmeasured(context.known_unit(), outputs));
     lines.push(format!("{:.2} s", start.elapsed().as_secs_f64()));
-    lines.push(summary::written(outputs));
+    lines.push(summary::written(&[outputs, &staged].concat()));
     Ok(Done { lines, row: row(&input, &sections, start) })
+}
+
+/// The files of the steps to the sections, where they are asked for.
+fn staged(
+    args: &Section,
+    origin: &Origin,
+    inputs: &[PathBuf],
+    several: bool,
+    cloud: &Cloud,
+    sections: &Sections,
+    params: &SectionParams,
+) -> Result<Vec<PathBuf>, Failure> {
+    let Some(folder) = &args.stages else { return Ok(Vec::new()) };
+    let named = progress::named("stages", args.running.quiet, || steps(cloud, params));
+    let steps = named.map_err(|e| Failure::from(e).at(origin.shown()))?;
+    let folder = stages::folder(folder, several, origin)?;
+    outputs::write(&folder, || write_section_stages(&folder, inputs, cloud, (sections, &steps), params))
 }

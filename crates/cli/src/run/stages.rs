@@ -20,8 +20,7 @@ pub fn keep(work: &mut Work, folder: Option<&Path>) -> Result<(), Failure> {
     Err(failure.advise("add `--method penalty`, `projection` or `segments`"))
 }
 
-/// Writes the stages of one input into `folder`, which is made if it is not there; of several inputs into a folder of that
-/// input's name within. The files written.
+/// Writes the stages of one input; the files written.
 pub fn write(
     work: &Work,
     folder: Option<&Path>,
@@ -30,7 +29,13 @@ pub fn write(
     found: &Extraction,
 ) -> Result<Vec<PathBuf>, Failure> {
     let Some(folder) = folder else { return Ok(Vec::new()) };
-    let folder = if work.count() > 1 { folder.join(origin.stem()) } else { folder.into() };
-    outputs::make(&folder)?;
+    let folder = self::folder(folder, work.count() > 1, origin)?;
     outputs::write(&folder, || write_stages(&folder, &work.inputs, cloud, found))
+}
+
+/// The folder for the stages of one input, made if it is not there; of several inputs one of that input's name within.
+pub fn folder(folder: &Path, several: bool, origin: &Origin) -> Result<PathBuf, Failure> {
+    let folder = if several { folder.join(origin.stem()) } else { folder.into() };
+    outputs::make(&folder)?;
+    Ok(folder)
 }

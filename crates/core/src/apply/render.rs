@@ -27,6 +27,8 @@ mod triangles;
 pub use camera::View;
 pub use compose::{draw, render};
 pub use drawing::{Drawing, Layer, Shape, Text};
+pub use lines::lines_spacing;
 pub use picture::Picture;
 pub use scene::{Color, Hidden, Scene, Settings, Slice, Style, Triangles};
+pub use style::{class_tint, patch_tint, score_tint};
 pub use surfel::{Surfel, surfels};

@@ -26,7 +26,9 @@ use crate::section::contour::{join, link, node};
 use crate::section::curves::Datum;
 use crate::section::surface::carry::Sample;
 use crate::section::surface::texture::Texture;
+use regions::FeatureMark;
 use side::shifted;
+use voronoi::EmptyCircle;
 
 /// Distance from an outline, in medians of that of its samples, from which on no curve is fitted to a sample; and the least of it, spacings.
 const FAR: f64 = 6.0;
@@ -42,13 +44,28 @@ pub(crate) struct Drawn {
     pub data: Vec<Datum>,
 }
 
-/// The outlines of a slab's contours, longest first, without the stretches at which no place is `near` the cloud.
+/// What a viewer sees on the way from a slab to its outlines; contours have the numbers of their bands.
+pub(crate) enum Seen<'a> {
+    /// The samples, on the slicing plane.
+    Samples(&'a [Sample]),
+    /// The samples of each contour in their order along it.
+    Bands(&'a [Band]),
+    /// The feature points of a contour.
+    Features(usize, &'a Band, &'a [FeatureMark]),
+    /// An empty circle that gave feature points of a contour.
+    Circle(usize, EmptyCircle),
+}
+
+/// The outlines of a slab's contours, longest first, without the stretches at which no place is `near` the cloud. `see` is shown
+/// the steps.
 pub(crate) fn contours(
     samples: &[Sample],
     params: &SectionParams,
     texture: &Texture,
     near: &dyn Fn([f64; 2]) -> bool,
+    see: &mut dyn FnMut(Seen),
 ) -> Vec<Drawn> {
+    see(Seen::Samples(samples));
     let feet: Vec<[f64; 2]> = samples.iter().map(|s| s.foot).collect();
     let tree = Packed::new(&feet);
     let support = Support { samples, tree: &tree, longest: params.bridge_spacings };
@@ -66,6 +83,7 @@ pub(crate) fn contours(
     }
     reach::carried_on(samples, &tree, &bands, &mut lines, texture.noise);
     if params.outline == Outline::Middle && params.side == Side::Middle {
+        see(Seen::Bands(&bands));
         let mut drawn = drawn(&bands, lines, near);
         if params.fit {
             along(samples, &nodes.owners, &mut drawn);
@@ -75,7 +93,8 @@ pub(crate) fn contours(
     free.fill(true);
     let lines = lines.into_iter().flat_map(|line| cut(line, near)).filter(drawable).collect();
     let bands = assign(samples, &nodes.owners, &free, lines);
-    let outlines = bands.iter().map(|b| outline(b, params)).collect();
+    see(Seen::Bands(&bands));
+    let outlines = bands.iter().enumerate().map(|(b, band)| outline(b, band, params, see)).collect();
     drawn(&bands, outlines, &|_| true)
 }
 
@@ -131,14 +150,22 @@ fn data(band: &Band) -> Vec<Datum> {
     kept.into_iter().map(|m| Datum { at: m.raw, weight: weight(m) / mean, arc: m.arc }).collect()
 }
 
-fn outline(band: &Band, params: &SectionParams) -> Chain {
+fn outline(number: usize, band: &Band, params: &SectionParams, see: &mut dyn FnMut(Seen)) -> Chain {
     let threshold = threshold(band, params.region_spacings);
     let features = match params.outline {
         Outline::Middle => None,
         Outline::Hull => Some(hull::features(band, threshold)),
-        Outline::Voronoi => Some(voronoi::features(band, threshold, params.circle_bound)),
+        Outline::Voronoi => Some(voronoi::features(band, threshold, params.circle_bound, |circle| {
+            see(Seen::Circle(number, circle));
+        })),
     };
-    let chain = features.map_or_else(|| band.chain.clone(), |f| knots::polyline(band, &f));
+    let chain = features.map_or_else(
+        || band.chain.clone(),
+        |features| {
+            see(Seen::Features(number, band, &features));
+            knots::polyline(band, &features.iter().map(|f| f.mark).collect::<Vec<usize>>())
+        },
+    );
     match params.side {
         Side::Middle => chain,
         Side::Outside => shifted(band, chain, 1.0, params.beyond),

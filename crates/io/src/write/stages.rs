@@ -7,12 +7,15 @@ mod lines;
 mod measures;
 mod projection;
 mod recovery;
+mod slices;
 mod table;
 
 use crate::error::Error;
 use files::Files;
+use lineament::section::{SectionParams, Sections, SliceSteps};
 use lineament::{Cloud, Extraction};
 use std::path::{Path, PathBuf};
+use table::Table;
 
 /// Writes into `folder`, which must be there, the stages of the method and `stages.json`, which counts what each PLY file holds.
 ///
@@ -38,5 +41,23 @@ pub fn write_stages(
         Some(stages) => lines::write(&mut files, cloud, found, stages)?,
         None => clusters::write(&mut files, cloud, found)?,
     }
+    Ok(files.written)
+}
+
+/// Writes into `folder`, which must be there, the steps to `sections`, which `params` led to: `slab.ply`, `projection.ply` (the points on
+/// the planes), with the outlines `hull` and `voronoi` the feature points that each round added (`hull_00.ply` and on), with the latter
+/// `circles.ply`; `outlines.ply`; and `stages.json`, which counts what each holds. Returns the names written.
+///
+/// # Errors
+/// Those of [`Output::create`](crate::Output::create), and a failed write.
+pub fn write_section_stages(
+    folder: &Path,
+    inputs: &[PathBuf],
+    cloud: &Cloud,
+    (sections, steps): (&Sections, &[SliceSteps]),
+    params: &SectionParams,
+) -> Result<Vec<PathBuf>, Error> {
+    let mut files = Files::new(folder, inputs);
+    slices::write(Table::new(&mut files), cloud, sections, steps, params)?;
     Ok(files.written)
 }

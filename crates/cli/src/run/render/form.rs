@@ -2,9 +2,7 @@
 
 use std::path::Path;
 
-use lineament::Network;
 use lineament::apply::render::{Color, Hidden, Settings, Style, View};
-use lineament::math::vec3::distance;
 use lineament_io as io;
 
 use crate::args::{HiddenLines, LineColor, PictureStyle, PointColor, Render};
@@ -103,23 +101,4 @@ pub fn known(path: &Path) -> Result<(), Failure> {
     }
     let what = "pictures are written as PNG, and line drawings as SVG too: end the name in `.png` or `.svg`";
     Err(Failure::new(Code::Usage, format!("{}: {what}", path.display())))
-}
-
-/// Segments across the extent of lines without points, at most: the tolerance for lines that lie on a mesh follows from the length of a
-/// segment, and straight lines may have few.
-const SEGMENTS: f64 = 60.0;
-
-/// The spacing of lines without points: the mean length of their segments, or less where these are long.
-pub fn spacing(network: &Network, mesh: Option<&io::MeshFile>) -> f64 {
-    let lines = || network.strips.iter().flat_map(|s| s.points.windows(2));
-    let lengths = lines().map(|w| distance(w[0], w[1]));
-    let mean = lengths.sum::<f64>() / lines().count().max(1) as f64;
-    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    let vertices = mesh.into_iter().flat_map(|m| &m.vertices);
-    for p in network.strips.iter().flat_map(|s| &s.points).chain(vertices) {
-        low = [0, 1, 2].map(|c| low[c].min(p[c]));
-        high = [0, 1, 2].map(|c| high[c].max(p[c]));
-    }
-    let extent = if low[0] <= high[0] { distance(low, high) } else { 0.0 };
-    mean.min(extent / SEGMENTS)
 }

@@ -84,10 +84,42 @@ fn projection_has_its_distances_scales_and_histogram() {
         .expect(0);
     let table = counted(&sandbox, "steps");
     assert_eq!(names(&table)[..2], ["projection", "penalties"]);
+    let file = sandbox.read("steps/projection.ply");
+    let header = String::from_utf8_lossy(&file[..1200]).into_owned();
+    for column in ["uchar class", "float score", "float distance_8", "float radius_32", "uchar scale"] {
+        assert!(header.contains(&format!("property {column}\n")), "{header}");
+    }
     let sum = |key: &str| table[key].as_array().unwrap().iter().map(|n| n.as_u64().unwrap()).sum::<u64>();
     assert_eq!((sum("at_scale"), sum("histogram")), (386, 386));
     assert_eq!(table["histogram"].as_array().unwrap().len(), 256);
     // All points above the threshold are marked: the 12 edges and 8 corners of the cube.
     assert_eq!(table["marked"], 386 - 6 * 7 * 7);
     assert!(table["threshold"].as_f64().unwrap() <= table["cut_of_two"].as_f64().unwrap());
+}
+
+#[test]
+fn section_has_its_slabs_and_every_round_of_hull_and_circles() {
+    let sandbox = Sandbox::new();
+    sandbox.write_points("cube.xyz", &cube());
+    let args = ["section", "cube.xyz", "--at", "3.4,4.6", "--no-carry", "-o"];
+    for outline in ["hull", "voronoi"] {
+        let plain = format!("{outline}-plain.json");
+        let (drawn, folder) = (format!("{outline}.json"), format!("{outline}-steps"));
+        let choice = ["--outline", outline];
+        sandbox.run(&[&args, &[plain.as_str()][..], &choice].concat()).expect(0);
+        let more = [drawn.as_str(), "--stages", folder.as_str()];
+        sandbox.run(&[&args, &more[..], &choice].concat()).expect(0).says(&["slab.ply", "stages.json"]);
+        assert_eq!(sandbox.read(&plain), sandbox.read(&drawn));
+        let table = counted(&sandbox, &folder);
+        assert_eq!((&table["outline"], &table["slices"]), (&outline.into(), &2.into()));
+        let names = names(&table);
+        assert_eq!(names[..3], ["slab", "projection", &format!("{outline}_00")]);
+        assert_eq!(names.contains(&"circles"), outline == "voronoi" && names.len() > 4);
+        // Each slab holds one layer of the cube, 32 points around a square, and the first hull is convex.
+        assert_eq!((&table["stages"][0]["vertices"], &table["stages"][1]["contours"]), (&64.into(), &2.into()));
+        let last = &table["stages"].as_array().unwrap()[names.len() - 1];
+        assert_eq!((&last["name"], &last["contours"]), (&"outlines".into(), &2.into()));
+    }
+    sandbox.run(&[&args[..], &["c.json", "--stages", "middle"]].concat()).expect(0);
+    assert_eq!(names(&counted(&sandbox, "middle")), ["slab", "projection", "outlines"]);
 }

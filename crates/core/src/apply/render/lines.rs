@@ -7,6 +7,7 @@ use super::scene::{Color, Hidden, Settings, Style};
 use super::slices::Page;
 use super::style::{BLACK, ramp, strip_colour, verdict_colour};
 use crate::evaluate::{Stretch, Verdict};
+use crate::math::vec3::distance;
 use crate::network::{Network, Strip, StripKind};
 
 /// Opacity of lines behind the surface.
@@ -98,4 +99,23 @@ pub(super) fn layers(groups: &[Group], page: &Page, pen: f32, settings: &Setting
     hidden.push(halo);
     hidden.append(&mut visible);
     hidden
+}
+
+/// Segments across the extent of lines without points, at most: the tolerance for lines that lie on a mesh follows from the length of a
+/// segment, and straight lines may have few.
+const SEGMENTS: f64 = 60.0;
+
+/// The spacing of a [`Scene`](super::Scene) of lines without points, over a mesh of these `(V, 3)` vertices if there are some: the mean
+/// length of the segments, or less where these are long.
+pub fn lines_spacing(network: &Network, vertices: &[[f64; 3]]) -> f64 {
+    let lines = || network.strips.iter().flat_map(|s| s.points.windows(2));
+    let lengths = lines().map(|w| distance(w[0], w[1]));
+    let mean = lengths.sum::<f64>() / lines().count().max(1) as f64;
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for p in network.strips.iter().flat_map(|s| &s.points).chain(vertices) {
+        low = [0, 1, 2].map(|c| low[c].min(p[c]));
+        high = [0, 1, 2].map(|c| high[c].max(p[c]));
+    }
+    let extent = if low[0] <= high[0] { distance(low, high) } else { 0.0 };
+    mean.min(extent / SEGMENTS)
 }

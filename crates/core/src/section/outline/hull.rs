@@ -4,12 +4,12 @@
 //! chord adds the vertices of its own convex hull (step 4). On a thick band these alternate between outside and inside: the
 //! paper's internal-external point switching effect (figure 6), which `voronoi` eliminates.
 
-use super::regions::refine;
+use super::regions::{FeatureMark, refine};
 use crate::math::convex_hull::convex_hull;
 use crate::section::contour::band::Band;
 
-/// Feature points as ascending indices into `band.marks`, refined until every region's points lie within
+/// Feature points, refined until every region's points lie within
 /// `threshold` of their chord on average. Takes O(n log n) for each of the usually few rounds.
-pub(crate) fn features(band: &Band, threshold: f64) -> Vec<usize> {
-    refine(band, threshold, |region| convex_hull(region, |m| band.marks[m].raw))
+pub(crate) fn features(band: &Band, threshold: f64) -> Vec<FeatureMark> {
+    refine(band, threshold, |region, _| convex_hull(region, |m| band.marks[m].raw))
 }

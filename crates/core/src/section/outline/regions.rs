@@ -9,38 +9,50 @@ use crate::math::convex_hull::convex_hull;
 use crate::math::vec2::onto;
 use crate::section::contour::band::Band;
 
-/// Starts from the hull (closed) or the ends (open) and splits regions by `pick` until they are near their chords.
-/// `pick` is given a region's marks, first and last feature included, and returns some of them.
+/// A feature point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct FeatureMark {
+    /// Its index in the marks of the band.
+    pub mark: usize,
+    /// The round that found it, 0 for the first feature points: the depth of the regions that were split for it.
+    pub round: u32,
+}
+
+/// Starts from the hull (closed) or the ends (open) and splits regions by `pick` until they are near their chords; feature points
+/// ascending by mark. `pick` is given a region's marks, first and last feature included, and the round, and returns some of them.
 pub(crate) fn refine(
     band: &Band,
     threshold: f64,
-    mut pick: impl FnMut(&[usize]) -> Vec<usize>,
-) -> Vec<usize> {
+    mut pick: impl FnMut(&[usize], u32) -> Vec<usize>,
+) -> Vec<FeatureMark> {
     let n = band.marks.len();
+    let first_of = |mark| FeatureMark { mark, round: 0 };
     if n < 3 {
-        return (0..n).collect();
+        return (0..n).map(first_of).collect();
     }
     let all: Vec<usize> = (0..n).collect();
     let mut found = if band.chain.closed { convex_hull(&all, |m| band.marks[m].raw) } else { vec![0, n - 1] };
     found.sort_unstable();
     let seam = if band.chain.closed { found.len() } else { found.len() - 1 };
-    let mut open: Vec<(usize, usize)> = (0..seam).map(|k| (found[k], found[(k + 1) % found.len()])).collect();
-    while let Some((first, last)) = open.pop() {
+    let mut open: Vec<(usize, usize, u32)> =
+        (0..seam).map(|k| (found[k], found[(k + 1) % found.len()], 1)).collect();
+    let mut found: Vec<FeatureMark> = found.into_iter().map(first_of).collect();
+    while let Some((first, last, round)) = open.pop() {
         let region = between(first, last, n);
         if region.len() < 4 || mean_distance(band, &region) <= threshold {
             continue;
         }
-        let mut inner = positions(&region, &pick(&region));
+        let mut inner = positions(&region, &pick(&region, round));
         if inner.is_empty() {
             inner.push(farthest(band, &region));
         }
-        found.extend(inner.iter().map(|&k| region[k]));
+        found.extend(inner.iter().map(|&k| FeatureMark { mark: region[k], round }));
         inner.insert(0, 0);
         inner.push(region.len() - 1);
-        open.extend(inner.windows(2).map(|w| (region[w[0]], region[w[1]])));
+        open.extend(inner.windows(2).map(|w| (region[w[0]], region[w[1]], round + 1)));
     }
     found.sort_unstable();
-    found.dedup();
+    found.dedup_by_key(|feature| feature.mark);
     found
 }
 

@@ -13,16 +13,36 @@
 
 use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation};
 
-use super::regions::{chord, farthest, positions, refine};
-use crate::math::vec2::{cross, onto, sub, unit};
+use super::regions::{FeatureMark, chord, farthest, positions, refine};
+use crate::math::vec2::{along, cross, distance, onto, sub, unit};
 use crate::section::contour::band::Band;
 
 /// Regions below this size may be split as unevenly as the circles do.
 const LARGE_REGION: usize = 256;
 
-/// Feature points as ascending indices into `band.marks`; `bound` is the multiple named above.
-pub(crate) fn features(band: &Band, threshold: f64, bound: f64) -> Vec<usize> {
-    refine(band, threshold, |region| circle(band, region, bound))
+/// An empty circle that gave feature points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct EmptyCircle {
+    /// The Voronoi vertex.
+    pub centre: [f64; 2],
+    /// Its distance from the points that it touches.
+    pub radius: f64,
+    /// The round that it belongs to.
+    pub round: u32,
+}
+
+/// Feature points; `bound` is the multiple named above. `see` is shown every circle taken.
+pub(crate) fn features(
+    band: &Band,
+    threshold: f64,
+    bound: f64,
+    mut see: impl FnMut(EmptyCircle),
+) -> Vec<FeatureMark> {
+    refine(band, threshold, |region, round| {
+        let (picked, circle) = circle(band, region, bound);
+        circle.into_iter().for_each(|(centre, radius)| see(EmptyCircle { centre, radius, round }));
+        picked
+    })
 }
 
 struct Site {
@@ -38,9 +58,12 @@ impl HasPosition for Site {
     }
 }
 
-/// The marks on the chosen circle of a region (the paper's `largest_circle` at its `farthest_vertex`); none if the region has no
-/// triangle.
-fn circle(band: &Band, region: &[usize], bound: f64) -> Vec<usize> {
+/// The centre and the radius of a circle.
+type Round = ([f64; 2], f64);
+
+/// The marks on the chosen circle of a region (the paper's `largest_circle` at its `farthest_vertex`), and that circle; no marks if
+/// the region has no triangle.
+fn circle(band: &Band, region: &[usize], bound: f64) -> (Vec<usize>, Option<Round>) {
     let (a, b) = chord(band, region);
     let axis = unit(sub(b, a));
     let sites = region.iter().map(|&mark| {
@@ -48,28 +71,32 @@ fn circle(band: &Band, region: &[usize], bound: f64) -> Vec<usize> {
         Site { position: Point2::new(settled(x), settled(y)), mark }
     });
     let Ok(diagram) = DelaunayTriangulation::<Site>::bulk_load_stable(sites.collect()) else {
-        return Vec::new();
+        return (Vec::new(), None);
     };
     let offs = region.iter().map(|&m| cross(axis, sub(band.marks[m].raw, a)));
     // The points' own side of the chord; circles are sought on the other.
     let own = if offs.sum::<f64>() >= 0.0 { 1.0 } else { -1.0 };
     let deepest = region[farthest(band, region)];
     let limit = bound * onto(a, b, band.marks[deepest].raw).1;
-    let mut best: Option<(f64, [usize; 3])> = None;
+    let mut best: Option<(f64, [usize; 3], [f64; 2])> = None;
     for face in diagram.inner_faces() {
         let centre = face.circumcenter();
         let off = -own * cross(axis, [centre.x, centre.y]);
         let touched = face.vertices().map(|v| v.data().mark);
-        let better = best.is_none_or(|(most, marks)| off > most || (off == most && touched < marks));
+        let better = best.is_none_or(|(most, marks, _)| off > most || (off == most && touched < marks));
         if off > 0.0 && off <= limit && better && splits(touched, region) {
-            best = Some((off, touched));
+            best = Some((off, touched, [centre.x, centre.y]));
         }
     }
-    let mut picked = best.map_or(Vec::new(), |(_, marks)| marks.to_vec());
+    let mut picked = best.map_or(Vec::new(), |(_, marks, _)| marks.to_vec());
     if best.is_none() || lopsided(&picked, region) {
         picked.push(deepest);
     }
-    picked
+    let chosen = best.map(|(_, marks, centre)| {
+        let centre = along(a, centre, 1.0);
+        (centre, distance(centre, band.marks[marks[0]].raw))
+    });
+    (picked, chosen)
 }
 
 /// Whether a circle touches more than the two ends of a region.

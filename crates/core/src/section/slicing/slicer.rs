@@ -15,6 +15,7 @@ use crate::params::{Auto, SectionParams};
 use crate::section::frame::SliceFrame;
 use crate::section::outline;
 use crate::section::result::{self, FEWEST_POINTS, Missing, Section, Sections};
+use crate::section::steps::SliceSteps;
 use crate::section::surface::carry::{Bins, Carrier, CarryLimits, Sample};
 use crate::section::surface::plane::TangentPlane;
 use crate::section::surface::quad::QUAD;
@@ -56,8 +57,20 @@ impl<'a> Slicer<'a> {
         Self { local, index, params, frame, scale: local.frame.scale, base, texture, tiles, observe }
     }
 
+    /// The planes in their order, those of adaptive slabs after as many cuts as these take.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for planes that cannot be.
+    pub(crate) fn planned(&self) -> Result<Vec<Cut>, Error> {
+        let cuts = self.cuts()?;
+        Ok(match self.params.planes {
+            Planes::Adaptive { start, most } => self.adapted(start, most),
+            _ => cuts,
+        })
+    }
+
     /// The planes, world heights, in the order asked for.
-    pub(crate) fn cuts(&self) -> Result<Vec<Cut>, Error> {
+    fn cuts(&self) -> Result<Vec<Cut>, Error> {
         let (low, high) = self.extent();
         match &self.params.planes {
             Planes::At(at) => {
@@ -91,7 +104,7 @@ impl<'a> Slicer<'a> {
     }
 
     /// Planes at the middles of adaptive slabs.
-    pub(crate) fn adapted(&self, start: usize, most: usize) -> Vec<Cut> {
+    fn adapted(&self, start: usize, most: usize) -> Vec<Cut> {
         let alike = self.params.alike_spacings.or(|| 0.15 + 0.5 * self.texture.noise);
         let limits = adaptive::Limits {
             start,
@@ -115,6 +128,37 @@ impl<'a> Slicer<'a> {
 
     /// The sections at some world heights, in their order.
     pub(crate) fn cut(&self, heights: &[f64]) -> Vec<Section> {
+        let done = AtomicUsize::new(0);
+        self.each(heights, |slab, planes, place| {
+            let section = self.section(slab, planes, place, &mut |_| ());
+            (self.observe)((done.fetch_add(1, Relaxed) + 1) as f64 / heights.len() as f64);
+            section
+        })
+    }
+
+    /// The steps to these sections.
+    pub(crate) fn steps(&self, heights: &[f64]) -> Vec<SliceSteps> {
+        self.each(heights, |slab, planes, place| {
+            let mut steps = SliceSteps { plane: place.plane, ..SliceSteps::default() };
+            let to_world = self.to_world(place.height);
+            self.section(slab, planes, place, &mut |seen| steps.see(seen, &to_world, self.scale));
+            let within = |leaf: &u32| {
+                let own = &self.index.leaves[*leaf as usize];
+                let heights = own.along(self.frame.axes[2]);
+                own.ids().zip(heights).filter(|(_, z)| (z - place.local).abs() <= self.half())
+            };
+            steps.slab = slab.iter().flat_map(within).map(|(i, _)| self.local.source[i as usize]).collect();
+            steps.slab.sort_unstable();
+            steps
+        })
+    }
+
+    /// What `one` makes of the slab of each plane, in the order of the heights.
+    fn each<T: Send>(
+        &self,
+        heights: &[f64],
+        one: impl Fn(&[u32], &TangentPlanes, Place) -> T + Sync,
+    ) -> Vec<T> {
         // Slabs want ascending planes; the order asked for comes back at the end.
         let mut order: Vec<usize> = (0..heights.len()).collect();
         order.sort_by(|&a, &b| heights[a].total_cmp(&heights[b]).then(a.cmp(&b)));
@@ -124,26 +168,29 @@ impl<'a> Slicer<'a> {
         let wanted = slabs.union(tiles.len());
         let (points, noise) = (&self.local.positions, self.texture.noise);
         let planes = tangent_planes(points, self.index, &self.tiles, &wanted, noise);
-        let done = AtomicUsize::new(0);
-        let cut = |slot: usize| {
+        let made = parallel::map(order.len(), parallel::TASK, |slot| {
             let plane = order[slot];
             let place = Place { plane, height: heights[plane], local: ascending[slot] };
-            let section = self.section(slabs.of_plane(slot), &planes, place);
-            (self.observe)((done.fetch_add(1, Relaxed) + 1) as f64 / order.len() as f64);
-            section
-        };
-        let mut sections = parallel::map(order.len(), parallel::TASK, cut);
-        sections.sort_by_key(|s| s.plane);
-        sections
+            one(slabs.of_plane(slot), &planes, place)
+        });
+        let mut made: Vec<(usize, T)> = order.into_iter().zip(made).collect();
+        made.sort_by_key(|(plane, _)| *plane);
+        made.into_iter().map(|(_, one)| one).collect()
     }
 
-    fn section(&self, slab: &[u32], planes: &TangentPlanes, place: Place) -> Section {
+    fn section(
+        &self,
+        slab: &[u32],
+        planes: &TangentPlanes,
+        place: Place,
+        see: &mut dyn FnMut(outline::Seen),
+    ) -> Section {
         let (points, samples) = self.samples(slab, planes, place.local);
         let reach = Reach::new(self.index, &self.local.positions, self.texture.spacing);
         // Within a given thickness all points count, however far they lie from the plane.
         let all = self.params.thickness != Auto::Auto;
         let near = |at: [f64; 2]| all || reach.covers(self.frame.vector([at[0], at[1], place.local]));
-        let chains = outline::contours(&samples, self.params, &self.texture, &near);
+        let chains = outline::contours(&samples, self.params, &self.texture, &near, see);
         let missing = match (points, chains.len()) {
             (0, _) => Some(Missing::Empty),
             (n, 0) if n < FEWEST_POINTS => Some(Missing::TooFewPoints(n)),
@@ -153,6 +200,12 @@ impl<'a> Slicer<'a> {
         let tolerance = self.tolerance();
         let contours = result::contours(chains, self.params.fit.then_some(tolerance));
         Section { plane: place.plane, height: place.height, slab: None, points, contours, missing }
+    }
+
+    /// From places on the plane at a world height to the world.
+    fn to_world(&self, height: f64) -> impl Fn([f64; 2]) -> [f64; 3] {
+        let third = (height - self.base) / self.scale;
+        move |p: [f64; 2]| self.local.frame.to_world(self.frame.vector([p[0], p[1], third]))
     }
 
     /// Greatest distance of fitted curves from their contours, local frame.
@@ -228,12 +281,8 @@ impl<'a> Slicer<'a> {
 
     /// Brings sections from the slice frame to the world.
     pub(crate) fn finish(&self, mut sections: Vec<Section>, heights: Vec<f64>) -> Sections {
-        let world = |height: f64| {
-            let third = (height - self.base) / self.scale;
-            move |p: [f64; 2]| self.local.frame.to_world(self.frame.vector([p[0], p[1], third]))
-        };
         for section in &mut sections {
-            let to_world = world(section.height);
+            let to_world = self.to_world(section.height);
             section.contours.iter_mut().for_each(|c| c.place(&to_world, self.scale));
         }
         Sections {

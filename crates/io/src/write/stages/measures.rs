@@ -34,7 +34,7 @@ pub(super) fn ellipsoids(
         }
     }
     columns.push(value("neighbors", &|e| (e.count - 1) as f64));
-    write(out, cloud, found, columns)
+    write(out, cloud, found, &[], columns)
 }
 
 /// Density, score, and the penalties of both kinds.
@@ -43,7 +43,6 @@ pub(super) fn penalties(out: &mut dyn Write, cloud: &Cloud, found: &Extraction) 
     let density = |i: usize| found.measure.density.get(found.canonical[i] as usize).copied();
     let mut columns = vec![
         column("density", cloud.len(), |i| density(i).map_or(f64::NAN, |mu| unit * f64::from(mu))),
-        Attribute { name: "score".into(), values: Column::F32(found.scores()) },
     ];
     for (kind, penalties) in [("crease", &found.measure.crease), ("border", &found.measure.border)] {
         let mut row = vec![None; found.source.len()];
@@ -61,7 +60,7 @@ pub(super) fn penalties(out: &mut dyn Write, cloud: &Cloud, found: &Extraction) 
             add("crease_corner".into(), &|p, c| p.corner[c]);
         }
     }
-    write(out, cloud, found, columns)
+    write(out, cloud, found, &found.scores(), columns)
 }
 
 /// A column of single numbers.
@@ -69,15 +68,16 @@ pub(super) fn column(name: &str, count: usize, value: impl Fn(usize) -> f64) -> 
     Attribute { name: name.into(), values: Column::F32((0..count).map(|i| value(i) as f32).collect()) }
 }
 
-/// Writes the points with these columns and their class.
+/// Writes the points with their class, these scores, if any, and these columns.
 pub(super) fn write(
     out: &mut dyn Write,
     cloud: &Cloud,
     found: &Extraction,
+    scores: &[f32],
     attributes: Vec<Attribute>,
 ) -> io::Result<()> {
     let cloud = Cloud { positions: cloud.positions.clone(), attributes };
     let classes: Vec<u8> = found.classes().into_iter().map(|class| class as u8).collect();
-    let table = PointTable { cloud: &cloud, classes: &classes, scores: &[], las: None };
+    let table = PointTable { cloud: &cloud, classes: &classes, scores, las: None };
     write_points_to(out, PointFormat::Ply, &table)
 }

@@ -25,8 +25,7 @@ pub(super) fn projection(
     let best = |&c: &u32| steps.projection.scale.get(c as usize).copied().unwrap_or(0);
     let best = Column::U8(found.canonical.iter().map(best).collect());
     columns.push(Attribute { name: "scale".into(), values: best });
-    columns.push(Attribute { name: "score".into(), values: Column::F32(found.scores()) });
-    write(out, cloud, found, columns)
+    write(out, cloud, found, &found.scores(), columns)
 }
 
 /// The histogram and its cuts, as members of JSON that end in a comma.
