@@ -15,7 +15,7 @@ import lineament
 def scan(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A file of a small cube with attributes, normals among them."""
     path = tmp_path_factory.mktemp("scan") / "cube.ply"
-    points = lineament.sample("cube")[::4]
+    points = lineament.sample("cube-386")
     normals = np.sign(points - points.mean(axis=0)).astype(np.float32)
     attributes: dict[str, Any] = {"row": np.arange(len(points), dtype=np.int32)}
     attributes.update(zip(("nx", "ny", "nz"), normals.T))
@@ -41,7 +41,7 @@ def test_graphs_are_those_of_the_program(
     found.write(ours, all=all)
     same(program, ["graph", scan, "--graph", kind, *(["--all"] if all else [])], ours, theirs)
     assert found.edges.dtype == np.uint32 and found.edges.shape[1] == found.cut.shape[1] == 2
-    assert len(found.edges) > 2 * len(found.cut) > 0 and found.edges.max() < len(found.extraction.scan)
+    assert len(found.edges) > len(found.cut) > 0 and found.edges.max() < len(found.extraction.scan)
     assert len(found.extraction.network) == 12
 
 
@@ -57,7 +57,7 @@ def test_enriched_points_are_those_of_the_program(
     assert np.count_nonzero(found.kinds == lineament.PointClass.CORNER) == 8
     # What is enriched is points again, and those on lines are on them.
     near = np.linalg.norm(found.added - found.extraction.scan.points[found.sources], axis=1)
-    assert near.max() < 3 * found.extraction.report.spacing
+    assert near.max() < found.extraction.report.spacing
     assert len(lineament.extract(found).network) >= 12
 
 

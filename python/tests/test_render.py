@@ -25,7 +25,7 @@ def test_pictures_are_those_of_the_program(lines: bool, bracket: Any, tmp_path: 
     assert ours.read_bytes() == theirs.read_bytes() == picture._repr_png_()
 
 
-SMALL = ["--size", "320x240", "--no-caption", "--sample", "cube"]
+SMALL = ["--size", "320x240", "--no-caption", "--sample", "cube-386"]
 
 
 @pytest.mark.parametrize(
@@ -45,7 +45,7 @@ def test_every_option_is_that_of_the_program(words: list[str], options: Any, tmp
     ours, theirs = tmp_path / "ours.png", tmp_path / "theirs.png"
     done = program("render", *SMALL, *words, "-o", theirs)
     assert done.returncode == 0, done.stderr
-    points = lineament.sample("cube")
+    points = lineament.sample("cube-386")
     found = lineament.extract(points, patches_find=options.get("point_color") == "patch")
     picture = lineament.render(points, found, size=(320, 240), caption=False, **options)
     picture.write(ours)
@@ -54,7 +54,7 @@ def test_every_option_is_that_of_the_program(words: list[str], options: Any, tmp
 
 
 def test_drawings_of_lines_over_a_mesh_are_those_of_the_program(tmp_path: Path, program: Any) -> None:
-    points = lineament.sample("cube")[::4]
+    points = lineament.sample("cube-386")
     mesh = lineament.mesh(points)
     lines, surface = tmp_path / "lines.json", tmp_path / "mesh.ply"
     mesh.extraction.write(lines)

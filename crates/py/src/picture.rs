@@ -1,6 +1,5 @@
 //! `render`: pictures and drawings of points and lines.
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use lineament::apply::render::{

@@ -59,18 +59,16 @@ pub(super) fn along_lines(terrain: &Terrain, found: &Extraction, step: f64) -> V
             StripKind::Crease => Class::Crease,
             StripKind::Border => Class::Border,
         };
-        let nearest = nearest_sources(local, terrain);
-        let arcs = arcs(local, &nearest, terrain.scales());
-        points.extend(places(local, &arcs, step).into_iter().map(|(segment, share)| {
-            let count = local.points.len();
-            let (from, to) = (strip.points[segment], strip.points[(segment + 1) % count]);
-            let at = if share < 0.5 { segment } else { (segment + 1) % count };
-            LinePoint {
-                position: add_scaled(from, sub(to, from), share),
-                kind,
-                source: nearest[at].and_then(|c| found.source.get(c as usize).copied()).unwrap_or_default(),
-                strips: vec![s as u32],
-            }
+        let nearest = nearest_sources(&local.points, local, terrain);
+        let places = places(local, &arcs(local, &nearest, terrain.scales()), step);
+        let all = |points: &[[f64; 3]]| -> Vec<[f64; 3]> { places.iter().map(|&p| at(points, p)).collect() };
+        // Sought at the places themselves: a straight line may have two vertices.
+        let nearest = nearest_sources(&all(&local.points), local, terrain);
+        points.extend(all(&strip.points).into_iter().zip(nearest).map(|(position, nearest)| LinePoint {
+            position,
+            kind,
+            source: nearest.and_then(|c| found.source.get(c as usize).copied()).unwrap_or_default(),
+            strips: vec![s as u32],
         }));
     }
     points
@@ -98,8 +96,15 @@ fn nodes(network: &Network) -> Vec<LinePoint> {
     points
 }
 
-/// For each point of a strip, the nearest of its sources. Both run along the strip, so that each source is looked at about once.
-fn nearest_sources(strip: &Strip, terrain: &Terrain) -> Vec<Option<u32>> {
+/// The place at a share of a segment of a line through `points`.
+fn at(points: &[[f64; 3]], (segment, share): (usize, f64)) -> [f64; 3] {
+    let (from, to) = (points[segment], points[(segment + 1) % points.len()]);
+    add_scaled(from, sub(to, from), share)
+}
+
+/// For each of some places along a strip, the nearest of its sources. Both run along the strip, so that each source is looked at about
+/// once.
+fn nearest_sources(places: &[[f64; 3]], strip: &Strip, terrain: &Terrain) -> Vec<Option<u32>> {
     let away = |p: [f64; 3], k: usize| distance(p, terrain.positions[strip.sources[k] as usize]);
     let count = strip.sources.len();
     let mut at = 0;
@@ -112,7 +117,7 @@ fn nearest_sources(strip: &Strip, terrain: &Terrain) -> Vec<Option<u32>> {
         }
         Some(strip.sources[at])
     };
-    strip.points.iter().map(step).collect()
+    places.iter().map(step).collect()
 }
 
 /// `(M + 1)` for a loop, else `(M)`: length along the strip up to each point in local spacings.
@@ -180,6 +185,17 @@ mod tests {
     use super::*;
     use crate::extract::extract;
     use crate::shapes::{Sampling, Scan, cylinders, sheet_with_hole};
+
+    #[test]
+    fn a_point_on_a_straight_line_stands_beside_its_own_point_of_the_cloud() {
+        let cloud = crate::shapes::cube_386().cloud;
+        let params = Params::default();
+        let found = extract(&cloud, &params).unwrap();
+        for point in line_points(&cloud, &found, &params, 0.5) {
+            let away = distance(point.position, cloud.positions[point.source as usize]);
+            assert!(away < found.report.spacing, "{point:?}: {away}");
+        }
+    }
 
     #[test]
     fn points_lie_on_the_lines_at_the_density_of_the_cloud() {

@@ -16,7 +16,6 @@ mod scanned;
 mod section_axis;
 mod section_degenerate;
 mod section_properties;
-mod section_steps;
 mod sections;
 mod shapes_networks;
 mod stages;

@@ -1,6 +1,7 @@
 //! Sections of generated scans: what is there is found, and nothing else.
 
 mod features;
+mod steps;
 
 use lineament::params::Auto;
 use lineament::section::{

@@ -116,7 +116,10 @@ fn section_has_its_slabs_and_every_round_of_hull_and_circles() {
         assert_eq!(names[..3], ["slab", "projection", &format!("{outline}_00")]);
         assert_eq!(names.contains(&"circles"), outline == "voronoi" && names.len() > 4);
         // Each slab holds one layer of the cube, 32 points around a square, and the first hull is convex.
-        assert_eq!((&table["stages"][0]["vertices"], &table["stages"][1]["contours"]), (&64.into(), &2.into()));
+        assert_eq!(
+            (&table["stages"][0]["vertices"], &table["stages"][1]["contours"]),
+            (&64.into(), &2.into())
+        );
         let last = &table["stages"].as_array().unwrap()[names.len() - 1];
         assert_eq!((&last["name"], &last["contours"]), (&"outlines".into(), &2.into()));
     }

@@ -41,9 +41,8 @@ pub(super) fn ellipsoids(
 pub(super) fn penalties(out: &mut dyn Write, cloud: &Cloud, found: &Extraction) -> io::Result<()> {
     let unit = found.frame.length_to_world(1.0);
     let density = |i: usize| found.measure.density.get(found.canonical[i] as usize).copied();
-    let mut columns = vec![
-        column("density", cloud.len(), |i| density(i).map_or(f64::NAN, |mu| unit * f64::from(mu))),
-    ];
+    let mut columns =
+        vec![column("density", cloud.len(), |i| density(i).map_or(f64::NAN, |mu| unit * f64::from(mu)))];
     for (kind, penalties) in [("crease", &found.measure.crease), ("border", &found.measure.border)] {
         let mut row = vec![None; found.source.len()];
         penalties.points.iter().enumerate().for_each(|(c, &i)| row[i as usize] = Some(c));

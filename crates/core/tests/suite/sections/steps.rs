@@ -45,8 +45,10 @@ fn circles_touch_the_feature_points_that_they_gave() {
     let mut circles = 0;
     for steps in &all {
         for circle in &steps.circles {
-            let touched = |at| (distance(at, circle.centre) - circle.radius).abs() < 1e-9 * circle.radius.max(1.0);
-            let found = steps.features.iter().filter(|f| f.contour == circle.contour && touched(f.at)).count();
+            let touched =
+                |at| (distance(at, circle.centre) - circle.radius).abs() < 1e-9 * circle.radius.max(1.0);
+            let found =
+                steps.features.iter().filter(|f| f.contour == circle.contour && touched(f.at)).count();
             assert!(found >= 3, "{circle:?} gave {found} feature points");
             circles += 1;
         }
