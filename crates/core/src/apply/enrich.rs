@@ -7,6 +7,7 @@ use crate::cloud::{Cloud, Column};
 use crate::extract::Extraction;
 use crate::math::vec3::{add_scaled, distance, sub};
 use crate::measure::Class;
+use crate::neighbors::{Found, Index};
 use crate::network::{Network, NodeKind, Strip, StripKind};
 use crate::params::Params;
 use crate::surface::Scales;
@@ -59,11 +60,11 @@ pub(super) fn along_lines(terrain: &Terrain, found: &Extraction, step: f64) -> V
             StripKind::Crease => Class::Crease,
             StripKind::Border => Class::Border,
         };
-        let nearest = nearest_sources(&local.points, local, terrain);
+        let nearest = nearest_sources(local, terrain);
         let places = places(local, &arcs(local, &nearest, terrain.scales()), step);
         let all = |points: &[[f64; 3]]| -> Vec<[f64; 3]> { places.iter().map(|&p| at(points, p)).collect() };
         // Sought at the places themselves: a straight line may have two vertices.
-        let nearest = nearest_sources(&all(&local.points), local, terrain);
+        let nearest = nearest_of(local, &all(&local.points), terrain);
         points.extend(all(&strip.points).into_iter().zip(nearest).map(|(position, nearest)| LinePoint {
             position,
             kind,
@@ -102,9 +103,19 @@ fn at(points: &[[f64; 3]], (segment, share): (usize, f64)) -> [f64; 3] {
     add_scaled(from, sub(to, from), share)
 }
 
-/// For each of some places along a strip, the nearest of its sources. Both run along the strip, so that each source is looked at about
-/// once.
-fn nearest_sources(places: &[[f64; 3]], strip: &Strip, terrain: &Terrain) -> Vec<Option<u32>> {
+/// For each of some places, the nearest of the sources of a strip; nothing for a strip without.
+fn nearest_of(strip: &Strip, places: &[[f64; 3]], terrain: &Terrain) -> Vec<Option<u32>> {
+    let sources: Vec<[f64; 3]> = strip.sources.iter().map(|&c| terrain.positions[c as usize]).collect();
+    let (index, mut found) = (Index::build(&sources), Vec::new());
+    let nearest = |&place: &[f64; 3]| {
+        index.nearest(place, 1, &mut found);
+        found.first().map(|f: &Found| strip.sources[f.index as usize])
+    };
+    places.iter().map(nearest).collect()
+}
+
+/// For each point of a strip, the nearest of its sources. Both run along the strip, so that each source is looked at about once.
+fn nearest_sources(strip: &Strip, terrain: &Terrain) -> Vec<Option<u32>> {
     let away = |p: [f64; 3], k: usize| distance(p, terrain.positions[strip.sources[k] as usize]);
     let count = strip.sources.len();
     let mut at = 0;
@@ -117,7 +128,7 @@ fn nearest_sources(places: &[[f64; 3]], strip: &Strip, terrain: &Terrain) -> Vec
         }
         Some(strip.sources[at])
     };
-    places.iter().map(step).collect()
+    strip.points.iter().map(step).collect()
 }
 
 /// `(M + 1)` for a loop, else `(M)`: length along the strip up to each point in local spacings.
