@@ -137,10 +137,13 @@ pub fn render<'py>(
     Ok((pixels(points.py(), picture)?, svg))
 }
 
+/// Vertices and triangles.
+type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
+
 /// What a picture shows beside points.
 struct Shown {
     network: Option<Network>,
-    mesh: Option<(Vec<[f64; 3]>, Vec<[u32; 3]>)>,
+    mesh: Option<Mesh>,
     /// Colours of the points, of all or of none.
     tints: Vec<[f32; 3]>,
 }
