@@ -28,7 +28,7 @@ class Relation:
     likelihood: float
     """Probability of the relation against chance, 0 to 1; of a mirror the share of the length that has its image."""
     deviation: float | None
-    """Root mean square deviation of the fits from it, a length in the unit of the input; ``None`` of angles."""
+    """Root mean square deviation of the fits from it, before it was imposed, a length in the unit of the input; ``None`` of angles."""
     deviation_deg: float | None
     """The same of parallels and right angles, degrees."""
     direction: npt.NDArray[np.float64] | None
@@ -38,7 +38,7 @@ class Relation:
     radius: float | None
     """The common radius."""
     imposed: bool
-    """Whether curves were moved so that it holds exactly (``relations_regularise=True``)."""
+    """Whether curves were moved so that it holds exactly (``relations_regularise=True``); the rest is then as after the move."""
 
     def __repr__(self) -> str:
         others = f" and {len(self.others)}" if self.others else ""
@@ -54,7 +54,7 @@ class Regularised:
     curves: list[npt.NDArray[np.float64]]
     """``(C,)`` of each curve of each strip: the greatest distance of its ends and, of an arc or circle, of its centre and radius."""
     released: list[tuple[int, int]]
-    """Curves that a relation would have moved by more than their points allow, and that were left out of it."""
+    """Curves left out of a relation, as it contradicted others or would have moved them by more than their points allow."""
 
     @property
     def greatest(self) -> float:

@@ -183,13 +183,21 @@ fn related(related: &Related) -> Option<String> {
         .filter(|c| c.1 > 0)
         .map(|(kind, count)| format!("{} {}", grouped(count), kind.name()))
         .collect();
-    let moved = related.regularised.as_ref().map(|moved| match moved.released.len() {
-        0 => format!("; imposed, nothing moved by more than {}", figure(moved.greatest())),
-        n => format!(
-            "; imposed, nothing moved by more than {}, {} left out",
-            figure(moved.greatest()),
-            plural(n, "curve")
-        ),
+    let moved = related.regularised.as_ref().map(|moved| {
+        // Mirrors are only reported.
+        let could = related.relations.iter().filter(|r| r.kind != RelationKind::Symmetric);
+        match (could.clone().filter(|r| r.imposed).count(), could.count()) {
+            (_, 0) => String::new(),
+            (0, _) => "; none imposed".to_owned(),
+            (held, of) => {
+                let held = if held == of { "imposed".to_owned() } else { format!("{held} of {of} imposed") };
+                let out = match moved.released.len() {
+                    0 => String::new(),
+                    n => format!(", {} left out", plural(n, "curve")),
+                };
+                format!("; {held}, nothing moved by more than {}{out}", figure(moved.greatest()))
+            }
+        }
     });
     (!named.is_empty()).then(|| format!("relations: {}{}", named.join(", "), moved.unwrap_or_default()))
 }

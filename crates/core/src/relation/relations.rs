@@ -77,7 +77,7 @@ pub struct Relation {
     pub others: Vec<Member>,
     /// Probability of the relation against chance, from 0 to 1: that of its least likely member.
     pub likelihood: f64,
-    /// Root mean square deviation of the fits from the relation: radians of angles, else a length in the unit of the input.
+    /// Root mean square deviation of the fits from the relation, before it was imposed: radians of angles, else a length in the unit of the input.
     pub deviation: f64,
     /// Unit vector: the common direction, the normal of the plane, the axis, the normal of the mirror; none of equal radii and tangents.
     pub direction: Option<[f64; 3]>,
@@ -85,7 +85,7 @@ pub struct Relation {
     pub point: Option<[f64; 3]>,
     /// The common radius.
     pub radius: Option<f64>,
-    /// Whether the curves were moved so that it holds exactly.
+    /// Whether the curves were moved so that it holds exactly. Members, direction, point and radius are then those after the move.
     pub imposed: bool,
 }
 
@@ -128,7 +128,7 @@ pub struct Regularised {
     pub nodes: Vec<f64>,
     /// How far each curve of each strip was moved: the greatest distance of its ends, its middle and, of an arc or a circle, its centre.
     pub curves: Vec<Vec<f64>>,
-    /// Curves that a relation would have moved by more than their points allow, and that were left out of it.
+    /// Curves that were left out of a relation, as it contradicted others or would have moved them by more than their points allow.
     pub released: Vec<Member>,
 }
 

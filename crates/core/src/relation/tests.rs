@@ -193,7 +193,8 @@ fn an_arc_whose_radius_is_open_is_in_no_relation() {
     }
 }
 
-/// Arcs bend what the least squares takes for straight: by full steps, which go to and fro, fewer relations hold.
+/// Arcs bend what the least squares takes for straight: by steps that were not led back to the conditions nothing held. All of the box can, but not
+/// that its arcs are tangent to it at corners that are known as well.
 #[test]
 fn relations_are_imposed_beside_arcs_that_are_better_known_than_their_ends() {
     let (places, pairs) = cuboid();
@@ -207,8 +208,7 @@ fn relations_are_imposed_beside_arcs_that_are_better_known_than_their_ends() {
         let found = run(&mut network, &observed, true);
         let imposed = found.relations.iter().filter(|r| r.imposed).count();
         let released = found.regularised.unwrap().released.len();
-        // Of 12 lines in classes of four; without the steps led back 2 and 12.
-        assert!(imposed >= 4 && released <= 10, "{seed}: {imposed} imposed, {released} released");
+        assert!(imposed >= 8 && released <= 9, "{seed}: {imposed} imposed, {released} released");
     }
 }
 

@@ -7,7 +7,6 @@ use super::super::odds::bound;
 use super::layout::triple;
 use super::rows::System;
 use crate::math::vec3::{distance, dot, sub};
-use std::collections::BTreeSet;
 
 /// Standard deviations by which a joint may be moved.
 const FAR: f64 = 3.0;
@@ -15,31 +14,25 @@ const FAR: f64 = 3.0;
 /// Share of its length that a line keeps at least.
 const KEPT: f64 = 0.5;
 
-/// The features that are moved too far, or that end on a joint that is; those related where there is no solution.
-pub(super) fn offenders(system: &System, solved: Option<&[f64]>) -> Vec<usize> {
+/// The features that are moved too far, or that end on a joint that is, each with how many times too far.
+pub(super) fn offenders(system: &System, x: &[f64]) -> Vec<(usize, f64)> {
     let features = &system.found.features;
-    let Some(x) = solved else {
-        return (0..features.len()).filter(|&i| system.imposed.has(i)).collect();
-    };
     let far = |j: usize| {
-        let at = system.layout.joint[j];
-        distance(triple(x, at), system.found.joints.places[j]) > FAR * system.doubt.joint[j]
+        let moved = distance(triple(x, system.layout.joint[j]), system.found.joints.places[j]);
+        moved / (FAR * system.doubt.joint[j])
     };
-    let off = |i: usize| {
+    let excess = |i: usize| {
+        let (seen, related) = (!system.unseen.contains(&i), system.imposed.has(i));
         let dimensions = if features[i].round().is_some() { 6 } else { 4 };
         let squares: f64 = system.observed(i, x).iter().map(|row| row.residual.powi(2)).sum();
-        // Written so that what is not a number offends too.
-        let allowed = squares <= bound(dimensions);
-        !system.unseen.contains(&i) && !allowed
+        let off = if seen { (squares / bound(dimensions)).sqrt() } else { 0.0 };
+        let torn = system.ends(i).filter(|_| seen || related);
+        let torn = torn.into_iter().flatten().map(far).fold(0.0, f64::max);
+        let shrunk = if related && shrinks(system, i, x) { f64::INFINITY } else { 0.0 };
+        // What is not a number offends too.
+        if off.is_nan() { f64::INFINITY } else { off.max(torn).max(shrunk) }
     };
-    let shrunk = |i: usize| system.imposed.has(i) && shrinks(system, i, x);
-    let mut offenders: BTreeSet<usize> = (0..features.len()).filter(|&i| off(i) || shrunk(i)).collect();
-    let torn: BTreeSet<usize> = (0..system.found.joints.places.len()).filter(|&j| far(j)).collect();
-    let at_torn = |i: usize| system.ends(i).is_some_and(|ends| ends.iter().any(|j| torn.contains(j)));
-    offenders.extend(
-        (0..features.len()).filter(|&i| at_torn(i) && (system.imposed.has(i) || !system.unseen.contains(&i))),
-    );
-    offenders.into_iter().collect()
+    (0..features.len()).map(|i| (i, excess(i))).filter(|e| e.1 > 1.0).collect()
 }
 
 /// Whether a line has lost its length or turned about.

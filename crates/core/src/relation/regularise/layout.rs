@@ -63,9 +63,10 @@ impl Layout {
         }
         layout.directions(found, imposed);
         layout.rounds(found, imposed, unseen);
-        for (class, members) in &imposed.planes {
-            let heights = members.iter().map(|&i| dot(found.features[i].at, found.classes[*class].direction));
-            let mean = heights.sum::<f64>() / members.len() as f64;
+        for plane in &imposed.planes {
+            let direction = found.classes[plane.class].direction;
+            let heights = plane.members.iter().map(|&i| dot(found.features[i].at, direction));
+            let mean = heights.sum::<f64>() / plane.members.len() as f64;
             let at = layout.push(&[mean]);
             layout.plane.push(at);
         }
@@ -81,8 +82,8 @@ impl Layout {
 
     fn directions(&mut self, found: &Found, imposed: &Imposed) {
         let mut needed = vec![false; found.classes.len()];
-        imposed.right.iter().flatten().for_each(|&c| needed[c] = true);
-        imposed.planes.iter().for_each(|(c, _)| needed[*c] = true);
+        imposed.right.iter().flat_map(|r| r.classes).for_each(|c| needed[c] = true);
+        imposed.planes.iter().for_each(|p| needed[p.class] = true);
         for (c, members) in imposed.classes.iter().enumerate() {
             if needed[c] || members.len() > 1 {
                 let direction = found.classes[c].direction;
@@ -98,12 +99,12 @@ impl Layout {
 
     /// Arcs that are in no relation and not observed go along with their ends: nothing would say how far they bend.
     fn rounds(&mut self, found: &Found, imposed: &Imposed, unseen: &BTreeSet<usize>) {
-        for (members, _) in imposed.axes.iter().filter(|a| a.1) {
+        for members in imposed.axes.iter().filter(|a| a.concentric).map(|a| &a.members) {
             let sum = members.iter().fold([0.0; 3], |s, &i| crate::math::vec3::add(s, found.features[i].at));
             let at = self.push(&scale(sum, 1.0 / members.len() as f64));
             members.iter().for_each(|&i| self.centre[i] = Some(at));
         }
-        for members in &imposed.radii {
+        for members in imposed.radii.iter().map(|r| &r.members) {
             let mean =
                 members.iter().map(|&i| found.features[i].observed.half).sum::<f64>() / members.len() as f64;
             let at = self.push(&[mean]);

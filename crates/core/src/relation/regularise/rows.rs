@@ -1,14 +1,14 @@
-//! Observations and conditions of the joint least squares, linearised.
+//! The observations of the joint least squares, linearised.
 //!
 //! A curve is observed as it was fitted: a line in the shifts of its middle and its end, an arc or a circle in centre, radius and axis, whitened by
-//! their covariance. A joint is observed where it was. Conditions are lengths: how far a relation is from holding.
+//! their covariance. A joint is observed where it was.
 
 use super::super::find::Found;
 use super::doubts::Doubts;
 use super::imposed::Imposed;
 use super::layout::{Layout, triple};
 use super::row::Row;
-use crate::math::vec3::{add_scaled, cross, dot, norm, perpendicular, scale, sub, unit};
+use crate::math::vec3::{dot, scale, sub, unit};
 use std::collections::BTreeSet;
 
 /// The least squares of a network.
@@ -25,7 +25,7 @@ pub(super) struct System<'a> {
 const SHORT: f64 = 0.4;
 
 /// Slopes of a value with three unknowns in a row.
-fn slopes(at: usize, slope: [f64; 3]) -> [(usize, f64); 3] {
+pub(super) fn slopes(at: usize, slope: [f64; 3]) -> [(usize, f64); 3] {
     [0, 1, 2].map(|k| (at + k, slope[k]))
 }
 
@@ -122,153 +122,5 @@ impl System<'_> {
         };
         let wider = Row { terms: vec![(radius, 1.0)], residual: x[radius] - size };
         Some([shift(u), shift(v), tilt(v, -1.0), tilt(u, 1.0), wider, shift(feature.direction)])
-    }
-
-    pub(super) fn conditions(&self, x: &[f64]) -> Vec<Row> {
-        let (mut rows, size) = (Vec::new(), self.size());
-        for &at in &self.layout.directions {
-            let d = triple(x, at);
-            let row = slopes(at, scale(d, size)).to_vec();
-            rows.push(Row { terms: row, residual: 0.5 * size * (dot(d, d) - 1.0) });
-        }
-        (0..self.found.features.len()).for_each(|i| self.own(i, x, &mut rows));
-        self.turned(x, &mut rows);
-        self.flat(x, &mut rows);
-        for (members, concentric) in &self.imposed.axes {
-            if !concentric {
-                members[1..].iter().for_each(|&i| self.coaxial(members[0], i, x, &mut rows));
-            }
-        }
-        self.imposed.tangents.iter().for_each(|t| self.tangent(t.0, t.1, x, &mut rows));
-        rows
-    }
-
-    /// Two unit vectors across a direction, which turn with it.
-    fn across(&self, at: usize, x: &[f64]) -> [[f64; 3]; 2] {
-        let d = triple(x, at);
-        let u = perpendicular(triple(&self.layout.start, at));
-        let u = unit(add_scaled(u, d, -dot(u, d)));
-        [u, cross(d, u)]
-    }
-
-    /// A line runs in its direction; an arc ends on its joints.
-    fn own(&self, i: usize, x: &[f64], rows: &mut Vec<Row>) {
-        let (Some(ends), Some((at, _))) = (self.ends(i), self.layout.direction[i]) else { return };
-        let joints = ends.map(|j| self.layout.joint[j]);
-        let [a, b] = joints.map(|j| triple(x, j));
-        let d = triple(x, at);
-        let (Some(centre), Some(radius)) = (self.layout.centre[i], self.layout.radius[i]) else {
-            let chord = sub(b, a);
-            for axis in self.across(at, x) {
-                let mut terms = slopes(joints[1], axis).to_vec();
-                terms.extend(slopes(joints[0], scale(axis, -1.0)));
-                terms.extend(slopes(at, scale(axis, -dot(chord, d))));
-                rows.push(Row { terms, residual: dot(axis, chord) });
-            }
-            return;
-        };
-        for joint in joints {
-            let away = sub(triple(x, joint), triple(x, centre));
-            let out = unit(away);
-            let mut terms = slopes(joint, out).to_vec();
-            terms.extend(slopes(centre, scale(out, -1.0)));
-            terms.push((radius, -1.0));
-            rows.push(Row { terms, residual: norm(away) - x[radius] });
-            let mut terms = slopes(joint, d).to_vec();
-            terms.extend(slopes(centre, scale(d, -1.0)));
-            terms.extend(slopes(at, away));
-            rows.push(Row { terms, residual: dot(d, away) });
-        }
-    }
-
-    /// Right angles, as lengths over the size of the network.
-    fn turned(&self, x: &[f64], rows: &mut Vec<Row>) {
-        let size = self.size();
-        for classes in &self.imposed.right {
-            let [Some(a), Some(b)] = classes.map(|c| self.layout.class[c]) else { continue };
-            let (da, db) = (triple(x, a), triple(x, b));
-            let mut terms = slopes(a, scale(db, size)).to_vec();
-            terms.extend(slopes(b, scale(da, size)));
-            rows.push(Row { terms, residual: size * dot(da, db) });
-        }
-    }
-
-    /// Lines lie in their planes with both ends, arcs and circles with their centres.
-    fn flat(&self, x: &[f64], rows: &mut Vec<Row>) {
-        for ((class, members), &height) in self.imposed.planes.iter().zip(&self.layout.plane) {
-            let Some(at) = self.layout.class[*class] else { continue };
-            let normal = triple(x, at);
-            let mut places: BTreeSet<usize> = members.iter().filter_map(|&i| self.layout.centre[i]).collect();
-            let lines = members.iter().filter(|&&i| self.layout.centre[i].is_none());
-            places.extend(lines.filter_map(|&i| self.ends(i)).flatten().map(|j| self.layout.joint[j]));
-            for place in places {
-                let p = triple(x, place);
-                let mut terms = slopes(place, normal).to_vec();
-                terms.extend(slopes(at, p));
-                terms.push((height, -1.0));
-                rows.push(Row { terms, residual: dot(normal, p) - x[height] });
-            }
-        }
-    }
-
-    fn coaxial(&self, first: usize, i: usize, x: &[f64], rows: &mut Vec<Row>) {
-        let (Some(a), Some(b)) = (self.layout.centre[first], self.layout.centre[i]) else { return };
-        let Some((at, _)) = self.layout.direction[first].filter(|_| a != b) else { return };
-        let apart = sub(triple(x, b), triple(x, a));
-        let far = dot(apart, triple(x, at));
-        for axis in self.across(at, x) {
-            let mut terms = slopes(b, axis).to_vec();
-            terms.extend(slopes(a, scale(axis, -1.0)));
-            terms.extend(slopes(at, scale(axis, -far)));
-            rows.push(Row { terms, residual: dot(axis, apart) });
-        }
-    }
-
-    fn tangent(&self, features: [usize; 2], joint: usize, x: &[f64], rows: &mut Vec<Row>) {
-        let place = self.layout.joint[joint];
-        let p = triple(x, place);
-        match features.map(|i| self.layout.centre[i]) {
-            [Some(a), Some(b)] => {
-                let Some((normal, _)) = self.layout.direction[features[0]] else { return };
-                let n = triple(x, normal);
-                let (one, other) = (sub(p, triple(x, a)), sub(p, triple(x, b)));
-                let size = norm(one).max(norm(other));
-                let (from_a, from_b) = (scale(cross(other, n), 1.0 / size), scale(cross(n, one), 1.0 / size));
-                let mut terms = slopes(a, scale(from_a, -1.0)).to_vec();
-                terms.extend(slopes(b, scale(from_b, -1.0)));
-                terms.extend(slopes(place, add_scaled(from_a, from_b, 1.0)));
-                rows.push(Row { terms, residual: dot(n, cross(one, other)) / size });
-            }
-            [Some(centre), None] => self.touching(features[1], (features[0], centre), place, x, rows),
-            [None, Some(centre)] => self.touching(features[0], (features[1], centre), place, x, rows),
-            [None, None] => {}
-        }
-    }
-
-    /// A line is across the radius at the joint, and in the plane of the arc.
-    fn touching(
-        &self,
-        line: usize,
-        (arc, centre): (usize, usize),
-        place: usize,
-        x: &[f64],
-        rows: &mut Vec<Row>,
-    ) {
-        let (Some(ends), Some((at, _))) = (self.ends(line), self.layout.direction[arc]) else { return };
-        let [a, b] = ends.map(|j| self.layout.joint[j]);
-        let chord = sub(triple(x, b), triple(x, a));
-        let long = norm(chord);
-        let (along, out) = (scale(chord, 1.0 / long), sub(triple(x, place), triple(x, centre)));
-        let lever = scale(out, 1.0 / long);
-        let mut terms = slopes(b, lever).to_vec();
-        terms.extend(slopes(a, scale(lever, -1.0)));
-        terms.extend(slopes(place, along));
-        terms.extend(slopes(centre, scale(along, -1.0)));
-        rows.push(Row { terms, residual: dot(along, out) });
-        let d = triple(x, at);
-        let mut terms = slopes(b, d).to_vec();
-        terms.extend(slopes(a, scale(d, -1.0)));
-        terms.extend(slopes(at, chord));
-        rows.push(Row { terms, residual: dot(d, chord) });
     }
 }

@@ -15,9 +15,11 @@ pub(super) fn relation(out: &mut dyn Write, _: usize, relation: &Relation) -> io
         members(out, &relation.others)?;
     }
     write!(out, ", \"likelihood\": {}, ", Number(*likelihood))?;
+    // One that is imposed has no deviation any more.
+    let before = if *imposed { "_before" } else { "" };
     match kind.is_angle() {
-        true => write!(out, "\"deviation_deg\": {}", Number(deviation.to_degrees()))?,
-        false => write!(out, "\"deviation\": {}", Number(*deviation))?,
+        true => write!(out, "\"deviation{before}_deg\": {}", Number(deviation.to_degrees()))?,
+        false => write!(out, "\"deviation{before}\": {}", Number(*deviation))?,
     }
     for (name, value) in [("direction", relation.direction), ("point", relation.point)] {
         if let Some(value) = value {

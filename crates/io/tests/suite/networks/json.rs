@@ -160,7 +160,7 @@ fn related() -> Related {
         direction: Some([0.0, 0.0, 1.0]),
         point: None,
         radius: Some(2.0),
-        imposed: true,
+        imposed: kind == RelationKind::EqualRadius,
     };
     let nodes = (0..network().nodes.len()).map(|n| n as f64).collect();
     let curves = network().strips.iter().map(|s| vec![0.25; s.curves.len()]).collect();
@@ -191,10 +191,10 @@ fn relations_and_moves_stand_in_the_second_schema_alone() {
     assert_eq!(right["direction"], json!([0.0, 0.0, 1.0]));
     let radii = &second["relations"][1];
     assert_eq!(
-        (&radii["deviation"], &radii["radius"], &radii["imposed"]),
+        (&radii["deviation_before"], &radii["radius"], &radii["imposed"]),
         (&json!(0.5), &json!(2.0), &json!(true))
     );
-    assert!(radii.get("others").is_none() && radii.get("point").is_none());
+    assert!(["others", "point", "deviation"].iter().all(|key| radii.get(key).is_none()));
     assert_eq!(second["nodes"][1]["moved"], 1.0);
     assert_eq!(second["strips"][0]["curves"][0]["moved"], 0.25);
     assert_eq!(
