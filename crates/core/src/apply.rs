@@ -5,7 +5,9 @@ mod graph;
 mod ground;
 mod meshing;
 pub mod render;
+mod shown;
 
 pub use enrich::{LinePoint, enriched, line_points};
 pub use graph::{CutGraph, GraphKind, cut_graph};
 pub use meshing::{MeshOptions, SurfaceMesh, mesh_surface};
+pub use shown::Shown;

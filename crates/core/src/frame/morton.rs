@@ -5,7 +5,7 @@ pub(crate) const BITS: u32 = 21;
 /// Levels of cells that share a bucket when points are sorted.
 pub(super) const BUCKET_LEVELS: u32 = 4;
 /// Codes a point can have, each refining the cell of the one before. Past them positions are compared.
-pub(super) const DEPTHS: u32 = 3;
+pub(super) const DEPTHS: u32 = 24;
 /// Levels of cells below the root.
 pub(crate) const LEVELS: usize = (BITS * DEPTHS) as usize;
 /// How many neighbours in the order first differ at a level: `[l]` counts pairs that share a cell at level `l`

@@ -6,6 +6,7 @@ use super::hidden::is_visible;
 use super::scene::{Scene, Settings};
 use super::style::LINE_BIAS;
 use super::surfel::{Projected, Surfel};
+use crate::apply::shown::Shown;
 use crate::parallel;
 
 /// Side of the small trial pictures in pixels.
@@ -60,10 +61,12 @@ fn candidates(frame: &Camera) -> Vec<([f64; 3], f64)> {
     all
 }
 
-/// Every n-th surfel, and the factor by which discs must grow to cover the same surface.
+/// Every n-th surfel that the picture shows, and the factor by which discs must grow to cover the same surface.
 fn thinned(surfels: &[Surfel]) -> (Vec<Surfel>, f32) {
     let step = surfels.len().div_ceil(TRIAL_SURFELS).max(1);
-    (surfels.iter().step_by(step).copied().collect(), (step as f32).sqrt())
+    let some: Vec<Surfel> = surfels.iter().step_by(step).copied().collect();
+    let shown = Shown::around(&some.iter().map(|s| s.position).collect::<Vec<_>>());
+    (some.into_iter().filter(|s| shown.holds(s.position)).collect(), (step as f32).sqrt())
 }
 
 /// Places where the surface folds or ends, as their discs tell: no lines of a network, so that pictures of one scan are seen from one

@@ -11,6 +11,7 @@ use super::slices::{self, Page};
 use super::style::LINE_BIAS;
 use super::surfel::Projected;
 use super::{best, caption, tone, triangles};
+use crate::apply::shown::Shown;
 use crate::error::Error;
 use crate::parallel;
 
@@ -130,7 +131,10 @@ fn aim(scene: &Scene, settings: &Settings, view: View, cell: &Cell) -> Camera {
     let strips = scene.network.into_iter().flat_map(|n| n.strips.iter().flat_map(|s| s.points.iter()));
     let lines = strips.chain(scene.slices.iter().flat_map(|slice| slice.points));
     let lines = lines.chain(scene.verdicts.iter().flat_map(|stretch| &stretch.points));
-    let finite = scene.surface().chain(lines.copied()).filter(|p| p.iter().all(|x| x.is_finite()));
+    let surface: Vec<[f64; 3]> = scene.surface().filter(|p| p.iter().all(|x| x.is_finite())).collect();
+    let shown = Shown::around(&surface);
+    let near = surface.into_iter().filter(|&p| shown.holds(p));
+    let finite = near.chain(lines.copied().filter(|p| p.iter().all(|x| x.is_finite())));
     Camera::looking(from, settings.up).fitted(finite, width, height, 0.05 * width.min(height))
 }
 

@@ -4,9 +4,10 @@
 use super::Report;
 use crate::write::encode::json::{Number, Point};
 use base64::prelude::{BASE64_STANDARD, Engine};
+use lineament::apply::Shown;
 use lineament::apply::render::{Surfel, surfels};
 use lineament::patch::NO_PATCH;
-use lineament::{Cloud, Error, Frame};
+use lineament::{Cloud, Error, Frame, Localised};
 use std::io::{self, Write};
 
 /// Most points of a report: more would not turn smoothly on a plain laptop.
@@ -32,9 +33,12 @@ pub(super) struct Chosen {
 /// Chooses the points that have room in so many bytes.
 pub(super) fn choose(report: &Report, room: usize) -> Result<Chosen, Error> {
     let Some(cloud) = report.cloud else { return Ok(Chosen::default()) };
-    let source = Frame::localise(cloud)?.source;
+    let Localised { positions, source: all, .. } = Frame::localise(cloud)?;
+    let shown = Shown::around(&positions);
+    let near = |&(_, &p): &(&u32, &[f64; 3])| shown.holds(p);
+    let source: Vec<u32> = all.iter().zip(&positions).filter(near).map(|(&i, _)| i).collect();
     let most = MOST.min(room * 3 / 4 / row_bytes(report, WIDTHS[1]));
-    if source.len() <= most {
+    if source.len() == all.len() && all.len() <= most {
         let (surfels, spacing) = surfels(cloud)?;
         return Ok(Chosen { surfels, source, spacing });
     }
