@@ -38,7 +38,7 @@ impl Free {
     }
 
     /// The point of the curve nearest to `p`.
-    fn foot(&self, p: [f64; 3]) -> [f64; 3] {
+    pub(super) fn foot(&self, p: [f64; 3]) -> [f64; 3] {
         match self {
             Free::Line { at, direction } => add_scaled(*at, *direction, dot(sub(p, *at), *direction)),
             Free::Arc(round) => round.foot(p),

@@ -72,9 +72,10 @@ fn through(points: &[[f64; 3]], span: &Span, free: &Free, noise: &Noise, [from, 
     let last = row.len() - 1;
     (row[0], row[last]) = (from, to);
     let shape = match (free, span.kind) {
-        (Free::Arc(round), _) => arc(round, &row).unwrap_or(Shape::Line),
+        (Free::Arc(round), _) => arc(round, &row).unwrap_or_else(|| plain(&row, noise)),
         (Free::Ellipse(_), _) => ellipse(&row).unwrap_or_else(|| free_form(&row, noise)),
         (Free::Other, Kind::Spline(_) | Kind::Ellipse) => free_form(&row, noise),
+        _ if from == to => free_form(&row, noise),
         _ => Shape::Line,
     };
     let mut piece =
@@ -83,6 +84,16 @@ fn through(points: &[[f64; 3]], span: &Span, free: &Free, noise: &Noise, [from, 
     piece.deviation = (squares / row.len() as f64).sqrt();
     piece.sigma = sigma(&piece, &row, noise);
     piece
+}
+
+/// The line or the spline through the ends of the row, whichever is the shorter description. No line leads back to where it began.
+fn plain(row: &[[f64; 3]], noise: &Noise) -> Shape {
+    let (from, to) = (row[0], row[row.len() - 1]);
+    let line = Free::Line { at: from, direction: unit(sub(to, from)) };
+    let squares: f64 = row.iter().map(|&p| distance2(p, line.foot(p))).sum();
+    let (curve, _, cost) = spline(row, &vec![noise.share; row.len()], noise, false);
+    let straight = from != to && noise.cost(noise.parameters(Kind::Line), noise.share * squares) <= cost;
+    if straight { Shape::Line } else { Shape::Spline(curve) }
 }
 
 fn free_form(row: &[[f64; 3]], noise: &Noise) -> Shape {

@@ -54,6 +54,23 @@ fn slot() -> Vec<[f64; 3]> {
     .concat()
 }
 
+/// A ring that begins and ends at a node is an open row, and no line of no length.
+#[test]
+fn a_row_that_leads_back_to_its_node_has_no_line_without_length() {
+    let mut ring = arc([0.0, 0.0], 5.0, 0.0, 360.0);
+    ring.push(ring[0]);
+    let mut there_and_back = line([0.0; 3], [8.0, 0.0, 0.0]);
+    there_and_back.extend(line([8.0, 0.0, 0.0], [0.0; 3]));
+    there_and_back.push([0.0; 3]);
+    for row in [ring, there_and_back] {
+        for piece in found(&row, false, 0.05) {
+            let length =
+                if matches!(piece.shape, Shape::Line) { distance(piece.from, piece.to) } else { 1.0 };
+            assert!(length > 0.0 && piece.deviation < 0.5, "{piece:?}");
+        }
+    }
+}
+
 #[test]
 fn a_straight_strip_is_one_line_from_node_to_node() {
     let points = line([0.0; 3], [30.0, 20.0, 10.0]);
