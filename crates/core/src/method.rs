@@ -15,7 +15,9 @@ use crate::params::{Method, ParamValue, Params, PenaltyForm, SegmentForm, WedgeF
 use crate::patch::{self, Ground, Patches};
 use crate::pattern::Pattern;
 use crate::prepare::Prepared;
-use crate::recover::{close_rings, observe, recover, refit, settle_ends, sharpen, take_back};
+use crate::recover::{
+    LED_ON, SPANNING, close_rings, meet, observe, recover, refit, settle_ends, sharpen, take_back,
+};
 use crate::relation::{Related, related as relations};
 use crate::stages::{self, Stages};
 
@@ -109,7 +111,10 @@ fn known<'a>(cloud: &'a Prepared, params: &Params) -> Known<'a> {
 /// The network of a pattern, its creases and corners recovered from the faces if asked for.
 pub(crate) fn recovered(cloud: &Prepared, measure: &Measure, pattern: &Pattern, params: &Params) -> Network {
     let Prepared { positions, graph, .. } = cloud;
-    let mut network = recover(pattern, cloud.scales(), &params.spline);
+    let mut network = recover(pattern, cloud.scales(), &params.spline, contracted(params));
+    if params.method == Method::Auto {
+        meet(&mut network, cloud.scales(), &params.spline);
+    }
     let ground = Ground { points: positions, graph, normals: &measure.normal, scales: cloud.scales() };
     sharpen(&mut network, &ground, &params.recover, &params.spline);
     refit(&mut network, positions, graph, cloud.scales());
@@ -128,6 +133,11 @@ pub(crate) fn stages(
         Method::Penalty | Method::Projection => Some(stages::of(cloud, measure, pattern, rule, params)),
         Method::Auto | Method::Segments => None,
     }
+}
+
+/// Greatest length of a strip that is taken for a node, spacings.
+fn contracted(params: &Params) -> f64 {
+    if params.method == Method::Auto { LED_ON } else { SPANNING }
 }
 
 /// The relations between the typed curves of a network, which is moved so that they hold if that is asked for.
@@ -167,7 +177,7 @@ pub(crate) fn patches(
     if !verified || !take_back(&mut pattern.crease, network, &first, *resolution, fold_deg) {
         return first;
     }
-    *network = recover(pattern, *resolution, &params.spline);
+    *network = recover(pattern, *resolution, &params.spline, contracted(params));
     patch::patches(&ground, network)
 }
 

@@ -3,6 +3,7 @@
 mod corner;
 mod ends;
 mod faces;
+mod meet;
 mod nodes;
 mod observe;
 mod recovery;
@@ -16,6 +17,8 @@ mod world;
 
 pub(crate) use ends::settle as settle_ends;
 pub(crate) use faces::{HOPS as FACE_HOPS, refit};
+pub(crate) use meet::meet;
+pub(crate) use nodes::{LED_ON, SPANNING};
 pub(crate) use observe::observe;
 pub use recovery::{Grouped, RecoveredPlace, Recovery};
 pub(crate) use rings::close as close_rings;
@@ -31,13 +34,18 @@ use crate::pattern::{LineGraph, Pattern, paths};
 use crate::surface::Scales;
 
 /// Strips and nodes of a pattern, with smooth curves (Gumhold 2001, section 4, the simple solution); local frame, sources as
-/// canonical indices.
-pub fn recover<'a>(pattern: &Pattern, scales: impl Into<Scales<'a>>, params: &SplineParams) -> Network {
+/// canonical indices. Strips between nodes that are up to `contracted` spacings long become one node.
+pub(crate) fn recover<'a>(
+    pattern: &Pattern,
+    scales: impl Into<Scales<'a>>,
+    params: &SplineParams,
+    contracted: f64,
+) -> Network {
     let scales = scales.into();
     let mut network = Network::default();
-    let met = |lines| nodes::meet(lines, paths(lines), scales);
+    let met = |lines| nodes::meet(lines, paths(lines), scales, contracted);
     let (mut crease, border) = (met(&pattern.crease), met(&pattern.border));
-    nodes::agree((&pattern.crease, &mut crease), (&pattern.border, &border), scales);
+    nodes::agree((&pattern.crease, &mut crease), (&pattern.border, &border), scales, contracted);
     for (kind, meeting) in [(StripKind::Crease, crease), (StripKind::Border, border)] {
         append(&mut network, kind, pattern.of(kind), meeting, scales, params);
     }

@@ -11,7 +11,7 @@ use crate::params::{Method, Params, PenaltyForm};
 use crate::patch::Ground;
 use crate::pattern::Pattern;
 use crate::prepare::Prepared;
-use crate::recover::{Recovery, recover, sharpen};
+use crate::recover::{Recovery, SPANNING, recover, sharpen};
 
 /// The steps of the methods `penalty` and `projection`, canonical indices, local frame.
 #[derive(Clone, Debug)]
@@ -42,7 +42,7 @@ pub(crate) fn of(
 ) -> Stages {
     let Prepared { positions, graph, .. } = cloud;
     let scales = cloud.scales();
-    let splines = recover(pattern, scales, &params.spline);
+    let splines = recover(pattern, scales, &params.spline, SPANNING);
     let ground = Ground { points: positions, graph, normals: &measure.normal, scales };
     let recovery = sharpen(&mut splines.clone(), &ground, &params.recover, &params.spline);
     Stages {

@@ -4,6 +4,7 @@
 //! ellipse (`oval`) or a spline says them in fewer numbers, `join` lets the pieces meet, `rejoin` again after their curves have moved.
 
 mod free;
+mod hook;
 mod join;
 mod merge;
 pub(crate) mod noise;
@@ -26,14 +27,16 @@ pub(crate) use rejoin::rejoin;
 
 use noise::{Kind, Span};
 
-/// The pieces of a row of points in order, end to end. The first and last point of an open row are held.
-pub(crate) fn pieces(points: &[[f64; 3]], closed: bool, noise: &Noise) -> Vec<Piece> {
+/// The pieces of a row of points in order, end to end. The first and last point of an open row are held, and the row may bend over a
+/// length of `bent` beside them.
+pub(crate) fn pieces(points: &[[f64; 3]], closed: bool, noise: &Noise, bent: f64) -> Vec<Piece> {
     if points.len() < 2 {
         return Vec::new();
     }
     if !closed {
         let weights = weights(points.len(), noise);
-        let spans = spans(points, &weights, noise);
+        let mut spans = spans(points, &weights, noise);
+        hook::hook(points, &mut spans, noise, bent);
         return join::join(points, &spans, noise, false, 0);
     }
     closed_pieces(points, noise)

@@ -1,7 +1,8 @@
 //! Nodes: merges junction vertices of the pattern that lie within a few spacings.
 //!
 //! In a minimum spanning graph three lines meet in two or three neighbouring vertices as often as in one. A strip shorter than
-//! the neighbourhood cannot be told from such a link, so it is contracted, and its ends become one node.
+//! the neighbourhood cannot be told from such a link, so it is contracted, and its ends become one node. The default method lays
+//! corners where lines meet, on both sides of a thin wall, so that only what is shorter than a spacing is contracted.
 
 use std::collections::BTreeMap;
 
@@ -12,8 +13,11 @@ use crate::neighbors::Index;
 use crate::pattern::{LineGraph, Path};
 use crate::surface::Scales;
 
-/// Greatest length of a strip between two junctions or corners that is contracted, spacings.
-const CONTRACTED: f64 = 3.0;
+/// Greatest length of a strip between two junctions or corners that is contracted, spacings: of lines of a spanning graph.
+pub(crate) const SPANNING: f64 = 3.0;
+
+/// As [`SPANNING`], of lines that were led on to their corners.
+pub(crate) const LED_ON: f64 = 1.0;
 
 /// Greatest distance between a crease's end and a border's node that become one, spacings.
 const BESIDE_NODE: f64 = 1.0;
@@ -38,10 +42,10 @@ pub struct Meeting {
     members: Vec<(u32, u32)>,
 }
 
-/// Contracts short strips and numbers the nodes.
-pub fn meet(lines: &LineGraph, paths: Vec<Path>, scales: Scales) -> Meeting {
+/// Contracts strips up to `contracted` spacings long and numbers the nodes.
+pub fn meet(lines: &LineGraph, paths: Vec<Path>, scales: Scales, contracted: f64) -> Meeting {
     let mut sets = UnionFind::new(lines.edges.len());
-    let short: Vec<bool> = paths.iter().map(|p| is_short(lines, p, scales)).collect();
+    let short: Vec<bool> = paths.iter().map(|p| is_short(lines, p, scales, contracted)).collect();
     for (path, _) in paths.iter().zip(&short).filter(|(_, s)| **s) {
         if let Some([a, b]) = path.ends {
             sets.union(a, b);
@@ -71,11 +75,16 @@ pub fn meet(lines: &LineGraph, paths: Vec<Path>, scales: Scales) -> Meeting {
 }
 
 /// Moves the nodes of creases that end on borders to the contracted nodes of the borders, and leaves out creases that this makes
-/// too short.
+/// too short, `contracted` spacings.
 ///
 /// A crease that ends on a border has a vertex at the place of one of the border's (`link/repair/dock.rs`), but contraction
 /// moves both to different means.
-pub fn agree(crease: (&LineGraph, &mut Meeting), border: (&LineGraph, &Meeting), scales: Scales) {
+pub fn agree(
+    crease: (&LineGraph, &mut Meeting),
+    border: (&LineGraph, &Meeting),
+    scales: Scales,
+    contracted: f64,
+) {
     let bits = |lines: &LineGraph, v: u32| lines.positions[v as usize].map(|x| (x + 0.0).to_bits());
     let places: BTreeMap<[u64; 3], [f64; 3]> = border
         .1
@@ -94,7 +103,7 @@ pub fn agree(crease: (&LineGraph, &mut Meeting), border: (&LineGraph, &Meeting),
     meeting.paths.retain(|path| {
         let Some([a, b]) = path.ends else { return true };
         clusters[a as usize].position != clusters[b as usize].position
-            || length(lines, path, scales) > CONTRACTED
+            || length(lines, path, scales) > contracted
     });
 }
 
@@ -122,10 +131,10 @@ fn length(lines: &LineGraph, path: &Path, scales: Scales) -> f64 {
 }
 
 /// Whether the strip is too short to be a line and lies between two nodes with other strips.
-fn is_short(lines: &LineGraph, path: &Path, scales: Scales) -> bool {
+fn is_short(lines: &LineGraph, path: &Path, scales: Scales, contracted: f64) -> bool {
     let Some([a, b]) = path.ends else { return false };
     let junctions = lines.edges[a as usize].len() > 1 && lines.edges[b as usize].len() > 1;
-    junctions && length(lines, path, scales) <= CONTRACTED
+    junctions && length(lines, path, scales) <= contracted
 }
 
 /// The mean of the vertices, in which those without a preferred direction have the greatest weight.

@@ -16,8 +16,10 @@ const EDGE_POINTS: usize = 16;
 
 /// Standard deviation across the line of a vertex of a clean cloud, in spacings.
 const LEAST_ERROR: f64 = 0.07;
+/// Length beside a node over which the vertices of a line see more than its two faces, in spacings.
+pub(super) const BENT: f64 = 2.5;
 /// Length over which the vertices of a line err alike, as they come from the same points, in spacings.
-const ALIKE: f64 = 3.0;
+pub(super) const ALIKE: f64 = 3.0;
 
 /// The span for the noise, in units of the resolution: the more noise, the more data for each control point.
 pub(crate) fn span_spacings(params: &SplineParams, resolution: Resolution) -> f64 {
@@ -159,7 +161,7 @@ fn typed(
         let t = parameters.get(k).copied().unwrap_or(to);
         (((t - from) / (to - from) * steps as f64).round() as usize).min(steps)
     };
-    let mut curves = pieces(positions, curve.periodic, &noise);
+    let mut curves = pieces(positions, curve.periodic, &noise, BENT * resolution.spacing);
     for piece in &mut curves {
         (piece.first, piece.last) = (index(piece.first), index(piece.last));
     }

@@ -1,4 +1,4 @@
-use super::{recover, take_back};
+use super::{LED_ON, SPANNING, recover, take_back};
 use crate::network::{NodeKind, StripKind};
 use crate::params::SplineParams;
 use crate::patch::{Fit, Patch, Patches, Sides, Surface};
@@ -27,8 +27,28 @@ fn a_stub_is_left_out_and_a_branch_stays() {
         row(&mut crease, [0.0; 3], X, 21);
         let [foot, _] = row(&mut crease, [10.0, 1.0, 0.0], Y, length);
         crease.add_edge(10, foot);
-        let network = recover(&Pattern { crease, ..Pattern::default() }, UNIT, &SplineParams::default());
+        let network =
+            recover(&Pattern { crease, ..Pattern::default() }, UNIT, &SplineParams::default(), SPANNING);
         assert_eq!(network.strips.len(), strips, "length {length}");
+    }
+}
+
+/// Two junctions two spacings apart, as the corners on both sides of a thin plate.
+#[test]
+fn short_strips_are_nodes_of_a_spanning_graph_and_edges_of_lines_that_were_led_on() {
+    for (contracted, nodes) in [(SPANNING, 1), (LED_ON, 2)] {
+        let mut crease = LineGraph::default();
+        let [_, a] = row(&mut crease, [-10.0, 0.0, 0.0], X, 11);
+        let [_, b] = row(&mut crease, [-10.0, 2.0, 0.0], X, 11);
+        for (from, y, way) in [(a, -1.0, Y.map(|y| -y)), (b, 3.0, Y)] {
+            let [foot, _] = row(&mut crease, [0.0, y, 0.0], way, 11);
+            crease.add_edge(from, foot);
+        }
+        crease.add_edge(a, b);
+        let pattern = Pattern { crease, ..Pattern::default() };
+        let network = recover(&pattern, UNIT, &SplineParams::default(), contracted);
+        assert_eq!(network.count(NodeKind::Junction), nodes, "{contracted}");
+        assert_eq!(network.strips.len(), 3 + nodes, "{contracted}");
     }
 }
 
@@ -38,7 +58,7 @@ fn a_crease_that_ends_beside_the_end_of_a_border_ends_on_it() {
         let (mut crease, mut border) = (LineGraph::default(), LineGraph::default());
         row(&mut crease, [-20.0 - gap, 0.0, 0.0], X, 21);
         row(&mut border, [0.0; 3], Y, 21);
-        let network = recover(&Pattern { crease, border }, UNIT, &SplineParams::default());
+        let network = recover(&Pattern { crease, border }, UNIT, &SplineParams::default(), SPANNING);
         assert_eq!(network.count(NodeKind::End), ends, "gap {gap}");
         assert_eq!(network.strips.iter().filter(|s| s.kind == StripKind::Crease).count(), 1);
     }
@@ -56,7 +76,7 @@ fn chord(fold_deg: f64) -> (LineGraph, bool) {
     crease.add_edge(8, foot);
     crease.add_edge(top, sides[2][0] + 8);
     let pattern = Pattern { crease, ..Pattern::default() };
-    let network = recover(&pattern, UNIT, &SplineParams::default());
+    let network = recover(&pattern, UNIT, &SplineParams::default(), SPANNING);
     let mut crease = pattern.crease;
     let beside = |s: &crate::Strip| {
         let is_chord = s.points.iter().all(|p| (p[0] - 8.0).abs() < 0.5);
@@ -93,7 +113,8 @@ fn a_long_edge_between_points_of_a_dense_place_has_few_points() {
     let mut lines = LineGraph::default();
     row(&mut lines, [0.0; 3], [1000.0, 0.0, 0.0], 2);
     let pattern = Pattern { border: lines, ..Pattern::default() };
-    let network = recover(&pattern, Resolution { spacing: 1.0, noise: 0.0 }, &SplineParams::default());
+    let network =
+        recover(&pattern, Resolution { spacing: 1.0, noise: 0.0 }, &SplineParams::default(), SPANNING);
     assert_eq!(network.strips.len(), 1);
     let count = network.strips[0].points.len();
     assert!((2..=33).contains(&count), "{count} points");

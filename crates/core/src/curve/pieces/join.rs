@@ -15,7 +15,7 @@ const ENDS: usize = 1;
 const HOLD: f64 = 1e4;
 
 /// A span fitted by itself.
-fn free(points: &[[f64; 3]], kind: Kind) -> Free {
+pub(super) fn free(points: &[[f64; 3]], kind: Kind) -> Free {
     let inner = if points.len() > 2 * ENDS + 4 { &points[ENDS..points.len() - ENDS] } else { points };
     match kind {
         Kind::Line => match plane(inner) {

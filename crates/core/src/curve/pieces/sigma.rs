@@ -121,7 +121,7 @@ mod tests {
             };
             let points: Vec<[f64; 3]> = (0..80).map(at).collect();
             let noise = Noise::new(0.1, 0.1, 80, 56.0);
-            let found = pieces(&points, true, &noise);
+            let found = pieces(&points, true, &noise, 2.5);
             let (Shape::Circle(round), Some(Sigma::Round { radius, .. })) = (&found[0].shape, found[0].sigma)
             else {
                 panic!("{found:?}")

@@ -29,7 +29,7 @@ fn shaken(points: &[[f64; 3]], sigma: f64, seed: u64) -> Vec<[f64; 3]> {
 
 fn found(points: &[[f64; 3]], closed: bool, sigma: f64) -> Vec<Piece> {
     let length: f64 = points.windows(2).map(|w| distance(w[0], w[1])).sum();
-    pieces(points, closed, &Noise::new(sigma.max(0.05), 1.0, points.len(), length))
+    pieces(points, closed, &Noise::new(sigma.max(0.05), 1.0, points.len(), length), 2.5)
 }
 
 fn names(pieces: &[Piece]) -> Vec<&'static str> {
@@ -241,5 +241,19 @@ fn what_is_round_or_free_is_no_ellipse() {
             let found = found(&shaken(&points, 0.05, seed), closed, 0.05);
             assert!(found.iter().all(|p| axes(p).is_none()), "{seed}: {:?}", names(&found));
         }
+    }
+}
+
+/// An edge whose row bends to a node beside it stays where it is, and a short line leads to the node.
+#[test]
+fn a_line_that_misses_its_node_is_parted_from_the_bend() {
+    for (off, names_of) in [(0.2, &["line"][..]), (1.5, &["line", "line"])] {
+        let mut points = line([0.0; 3], [30.0, 0.0, 0.0]);
+        points.extend(line([30.0, 0.0, 0.0], [32.0, off, 0.0]));
+        points.push([32.0, off, 0.0]);
+        let pieces = found(&shaken(&points, 0.02, 3), false, 0.02);
+        assert_eq!(names(&pieces), names_of, "{off}");
+        let worst = pieces[0].from[1].abs().max(pieces[0].to[1].abs());
+        assert!(worst < 0.3, "{worst}");
     }
 }
