@@ -30,7 +30,7 @@ from lineament._lineament import VERSION as __version__
 from lineament._curves import BSpline, Curve
 from lineament._mesh import Mesh, mesh
 from lineament._network import Network, Node, Provenance, Strip
-from lineament._parameters import Parameter, parameters
+from lineament._parameters import Parameter, ParamsLike, parameters
 from lineament._patches import Loop, Patch, Patches, Sides, Surface
 from lineament._points import PointsLike
 from lineament._relations import Regularised, Relation
@@ -67,6 +67,7 @@ __all__ = [
     "OutputError",
     "Parameter",
     "ParameterError",
+    "ParamsLike",
     "Patch",
     "Patches",
     "Picture",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from os import fspath
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
@@ -13,7 +12,7 @@ import numpy.typing as npt
 from lineament import _lineament
 from lineament._extraction import LINES, Progress, run
 from lineament._network import Network, Path
-from lineament._parameters import settings, signed
+from lineament._parameters import ParamsLike, settings, signed
 from lineament._points import PointsLike
 from lineament._progress import watcher
 from lineament._report import Report
@@ -71,7 +70,7 @@ def classify(
     *,
     detector: Detector | None = None,
     progress: Progress = False,
-    params: Mapping[str, Any] | None = None,
+    params: ParamsLike | None = None,
     **parameters: Unpack[Parameters],
 ) -> Classification:
     """Classifies each point: 0 smooth, 1 crease, 2 border, 3 corner, 4 clutter.

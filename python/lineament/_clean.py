@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from os import fspath
 from typing import TYPE_CHECKING, Any
@@ -13,7 +12,7 @@ import numpy.typing as npt
 from lineament import _lineament
 from lineament._extraction import Progress
 from lineament._network import Path
-from lineament._parameters import settings, signed
+from lineament._parameters import ParamsLike, settings, signed
 from lineament._points import Points, PointsLike
 from lineament._progress import watcher
 from lineament._report import Report
@@ -80,7 +79,7 @@ def clean(
     points: PointsLike,
     *,
     progress: Progress = False,
-    params: Mapping[str, Any] | None = None,
+    params: ParamsLike | None = None,
     **parameters: Unpack[Parameters],
 ) -> Cleaned:
     """Leaves out the points that lie on no surface: leaves, stray returns, veils between surfaces.

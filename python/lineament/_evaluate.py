@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 import numpy.typing as npt
 
 from lineament import _lineament
-from lineament._network import Network, Node, NodeKind, Strip, StripKind
+from lineament._network import Network, Node, NodeKind, Path, Strip, StripKind
 from lineament._points import as_points
 
 if TYPE_CHECKING:
@@ -135,32 +136,47 @@ def truth(name: str, seed: int = 1) -> Truth:
     return Truth(nodes, [TruthCurve(**curve) for curve in raw["curves"]], raw["weak_below_deg"])
 
 
+def _known(truth: Any) -> Truth | str:
+    """What the compiled part takes for known lines: a truth, or the path of a file."""
+    if isinstance(truth, Truth):
+        return truth
+    if isinstance(truth, (str, PathLike)):
+        return fspath(cast("Path", truth))
+    if isinstance(truth, Mapping):
+        raise TypeError("a mapping for the truth: give the path of the file, a Truth, a network or polylines")
+    return Truth.of(getattr(truth, "network", truth))
+
+
 def evaluate(
     found: Network | Extraction,
-    truth: Truth | Network | Sequence[npt.ArrayLike],
+    truth: Truth | Network | Extraction | Sequence[npt.ArrayLike] | Path,
     *,
     spacing: float | None = None,
 ) -> Score:
     """Scores a network by its distances from known lines, in spacings.
 
-    Both are cut into pieces of a fifth of a spacing, and the distance of the end of each piece from the other is measured.
+    Both are cut into pieces of a fifth of a spacing along their length, and the distance of the end of each piece from the other is
+    measured.
 
     Parameters
     ----------
     found
         The network.
     truth
-        The lines that are known: :func:`truth` of a generated scan, a network, or ``(M, 3)`` polylines.
+        The lines that are known: :func:`truth` of a generated scan, a network, ``(M, 3)`` polylines, or the path of a file of lines: a
+        network or truth in JSON, DXF, STEP, OBJ, or a mesh, whose edges count where its faces meet at more than 30 degrees.
     spacing
         Mean spacing of the points, in the unit of both; without, the one that the network was extracted with.
 
     Raises
     ------
+    InputError
+        For a file that cannot be read as lines.
     ParameterError
         For a spacing that is not above 0, or so small that the lines are longer than twenty million spacings.
     """
     network = found if isinstance(found, Network) else found.network
-    known = truth if isinstance(truth, Truth) else Truth.of(truth)
+    known = _known(truth)
     raw = _lineament.evaluate(network, known, network.provenance.spacing if spacing is None else spacing)
     return Score(
         Hits(*raw["at_1h"]),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from os import fspath
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from lineament import _lineament
 from lineament._network import Network, Path
-from lineament._parameters import settings, signed
+from lineament._parameters import ParamsLike, settings, signed
 from lineament._patches import Patches
 from lineament._points import PointsLike
 from lineament._progress import watcher
@@ -83,7 +83,7 @@ def extract(
     points: PointsLike,
     *,
     progress: Progress = False,
-    params: Mapping[str, Any] | None = None,
+    params: ParamsLike | None = None,
     **parameters: Unpack[Parameters],
 ) -> Extraction:
     """Finds the feature lines of points: creases where faces meet, borders where the surface ends.
@@ -98,8 +98,9 @@ def extract(
     progress
         ``True`` for a bar by tqdm, or a function that is called with the name of a stage and the share of it that is done.
     params
-        Parameters as a mapping of keys to values, or of sections to such mappings, as ``tomllib.load`` gives of a file that
-        ``lineament params`` printed. Keyword arguments go over it.
+        Parameters as a mapping of keys to values, or of sections to such mappings; as the document of a JSON result, whose
+        ``parameters`` are taken; or as the path of a TOML file that ``lineament params`` printed, or of a JSON result. Keyword
+        arguments go over it.
     parameters
         Parameters of the program by their keys, with ``_`` in place of the dot: ``penalty_fold_deg=15``. ``help(lineament.extract)``
         lists them with their defaults, :func:`parameters` with their meaning. Lengths are in spacings, angles in degrees.
@@ -126,7 +127,7 @@ def patches(
     points: PointsLike,
     *,
     progress: Progress = False,
-    params: Mapping[str, Any] | None = None,
+    params: ParamsLike | None = None,
     **parameters: Unpack[Parameters],
 ) -> Extraction:
     """Divides points into their smooth patches, the regions between the lines: :attr:`Extraction.patches`.

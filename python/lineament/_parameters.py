@@ -7,7 +7,8 @@ import inspect
 import keyword
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar, cast
+from os import PathLike, fspath
+from typing import Any, TypeAlias, TypeVar, cast
 
 import numpy as np
 
@@ -94,16 +95,21 @@ def signed(*sections: str) -> Callable[[Function], Function]:
     return sign
 
 
-def settings(params: Mapping[str, Any] | None, keywords: Mapping[str, Any]) -> list[tuple[str, str]]:
+ParamsLike: TypeAlias = "Mapping[str, Any] | str | PathLike[str]"
+"""Parameters beside the keyword arguments: a mapping of keys to values, or of sections to such mappings; the document of a JSON
+result, of which the ``parameters`` are taken; or the path of a TOML file, or of a JSON result, as ``--params`` of the program takes it."""
+
+
+def settings(params: ParamsLike | None, keywords: Mapping[str, Any]) -> list[tuple[str, str]]:
     """Keys and values as text, as ``--set`` of the program reads them: those of ``params``, then the keyword arguments."""
     unknown = next((name for name in keywords if name not in _KEYS), None)
     if unknown is not None:
         raise _no_parameter(unknown, _KEYS)
-    given = _flat(params or {}, "")
+    given = _given(params)
     return [*given, *((_KEYS[name], text(value)) for name, value in keywords.items())]
 
 
-def section_settings(params: Mapping[str, Any] | None, keywords: Mapping[str, Any]) -> list[tuple[str, str]]:
+def section_settings(params: ParamsLike | None, keywords: Mapping[str, Any]) -> list[tuple[str, str]]:
     """As :func:`settings`, of keyword arguments without ``section_``. Numbers and sequences for ``planes`` are counts and positions."""
     known = [p.short for p in _TABLE if p.section == "section"]
     for name in keywords:
@@ -129,6 +135,18 @@ def _no_parameter(name: str, known: Iterable[str]) -> TypeError:
     near = [k for k in names if k.endswith(f"_{name}")] or difflib.get_close_matches(name, names, n=1)
     meant = f": did you mean '{near[0]}'?" if near else ""
     return TypeError(f"there is no parameter '{name}'{meant}")
+
+
+def _given(params: ParamsLike | None) -> list[tuple[str, str]]:
+    if params is None:
+        return []
+    if isinstance(params, (str, PathLike)):
+        return _lineament.parameters_of(fspath(params))
+    if not isinstance(cast("object", params), Mapping):
+        raise ParameterError(f"params of type {type(params).__name__}: a mapping, or the path of a TOML or JSON file, is expected")
+    # The document of a result has more than its parameters.
+    whole = "schema" in params and isinstance(params.get("parameters"), Mapping)
+    return list(_flat(params["parameters"] if whole else params, ""))
 
 
 def _flat(params: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, str]]:

@@ -60,9 +60,15 @@ def as_points(points: PointsLike) -> Points:
     values = np.asarray(_found(points))
     if values.ndim != 2 or values.shape[1] < 3:
         raise ValueError(f"points of shape {values.shape}: expected (N, 3), a row for each point")
+    if values.shape[1] > _WIDE and values.shape[0] < values.shape[1]:
+        raise ValueError(f"points of shape {values.shape}: the array lies on its side; pass its transpose, with a row for each point")
     if values.dtype.kind not in "fiu":
         raise TypeError(f"points of type {values.dtype}: expected real numbers")
     return np.require(values[:, :3], np.float64, ["C_CONTIGUOUS", "ALIGNED"])
+
+
+_WIDE = 16
+"""Columns beyond which there must be more rows: else an array lies on its side, as in NPY files."""
 
 
 def _found(points: Any) -> Any:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from os import fspath
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
@@ -14,7 +14,7 @@ from lineament import _lineament
 from lineament._extraction import Progress
 from lineament._curves import BSpline, spline
 from lineament._network import Path, Provenance
-from lineament._parameters import section_settings, signed
+from lineament._parameters import ParamsLike, section_settings, signed
 from lineament._points import PointsLike
 from lineament._progress import watcher
 from lineament._scan import Scan, as_scan, provenance
@@ -174,7 +174,7 @@ def section(
     points: PointsLike,
     *,
     progress: Progress = False,
-    params: Mapping[str, Any] | None = None,
+    params: ParamsLike | None = None,
     **parameters: Unpack[SectionParameters],
 ) -> Sections:
     """Cuts points by planes: the curves in which these meet the surface.

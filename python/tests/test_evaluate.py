@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -43,3 +47,32 @@ def test_spacings_that_are_none_are_refused(spacing: float) -> None:
 def test_a_name_of_no_scan_is_answered_by_the_one_that_was_meant() -> None:
     with pytest.raises(ValueError, match="'bracket'"):
         lineament.truth("brackett")
+
+
+def test_a_file_of_lines_is_a_truth_as_for_the_program(tmp_path: Path, program: Any) -> None:
+    found, other = (lineament.extract(lineament.sample(name)) for name in ("box", "bracket"))
+    found.write(tmp_path / "found.json")
+    other.write(tmp_path / "other.json")
+    other.write(tmp_path / "other.dxf")
+    for name in ("other.json", "other.dxf"):
+        score = lineament.evaluate(found, tmp_path / name)
+        files = [tmp_path / "found.json", "--truth", tmp_path / name, "--spacing", repr(found.report.spacing)]
+        assert program("evaluate", *files, "-o", tmp_path / "score.json").returncode == 0
+        theirs = json.loads((tmp_path / "score.json").read_text())
+        assert score.at_1h.recall == pytest.approx(theirs["at"][0]["recall"], abs=1e-12)
+        assert score.junctions_hit.all == theirs["junctions_found"][1]
+    assert lineament.evaluate(found, str(tmp_path / "found.json")).at_1h == (1.0, 1.0, 1.0)
+    assert lineament.evaluate(found, found).at_1h == (1.0, 1.0, 1.0)
+    with pytest.raises(lineament.InputError):
+        lineament.evaluate(found, tmp_path / "none.json")
+    with pytest.raises(TypeError, match="path of the file"):
+        lineament.evaluate(found, {"schema": 1})  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
+
+
+def test_lines_count_by_their_length_and_not_by_their_vertices() -> None:
+    network = lineament.extract(lineament.sample("cube-386")).network
+    strips = [strip.polyline for strip in network]
+    far = np.array([[9.0, 9.0, 9.0], [10.0, 9.0, 9.0]])
+    dense = np.linspace(far[0], far[1], 1001)
+    few, many = (lineament.evaluate(network, [*strips, line]).at_1h.recall for line in (far, dense))
+    assert few == pytest.approx(many, abs=0.02) and few < 0.95

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -64,6 +65,22 @@ def test_keyword_arguments_go_over_a_mapping_of_sections(bracket: Any) -> None:
     file = {"method": "segments", "penalty": {"gamma": 0.25, "fold_deg": 30.0}}
     used = lineament.extract(bracket, params=file, penalty_fold_deg=20.0).parameters
     assert (used["method"], used["penalty.gamma"], used["penalty.fold_deg"]) == ("segments", "0.25", "20.0")
+
+
+def test_files_and_documents_of_results_are_parameters(bracket: Any, tmp_path: Path) -> None:
+    found = lineament.extract(bracket, method="segments", penalty_fold_deg=31.5)
+    found.write(tmp_path / "net.json")
+    (tmp_path / "t.toml").write_text('method = "segments"\n[penalty]\nfold_deg = 31.5\n')
+    document = json.loads((tmp_path / "net.json").read_text())
+    for params in (document, document["parameters"], tmp_path / "net.json", str(tmp_path / "t.toml"), found.parameters):
+        used = lineament.extract(bracket, params=params).parameters
+        assert (used["method"], used["penalty.fold_deg"]) == ("segments", "31.5")
+    assert lineament.extract(bracket, params=tmp_path / "t.toml", penalty_fold_deg=20.0).parameters["penalty.fold_deg"] == "20.0"
+    (tmp_path / "bad.toml").write_text("[penalty]\nwarp = 1\n")
+    with pytest.raises(lineament.ParameterError, match="bad.toml:2: .*warp"):
+        lineament.extract(bracket, params=tmp_path / "bad.toml")
+    with pytest.raises(lineament.ParameterError, match="type int"):
+        lineament.extract(bracket, params=7)  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
 
 
 def test_values_out_of_range_are_refused_in_the_words_of_the_program(bracket: Any, program: Any) -> None:

@@ -55,6 +55,9 @@ def test_points_are_found_in_objects_of_other_libraries(points: Any) -> None:
 def test_what_is_no_points_is_refused_with_its_shape_and_type() -> None:
     with pytest.raises(ValueError, match=r"\(4, 2\)"):
         lineament.extract(ROWS[:, :2])
+    for lying in (np.zeros((3, 500)), np.zeros((3, 20), np.float32)):
+        with pytest.raises(ValueError, match=rf"\(3, {lying.shape[1]}\): .*transpose"):
+            lineament.extract(lying)
     with pytest.raises(TypeError, match="complex128"):
         lineament.extract(ROWS.astype(complex))
     with pytest.raises(ValueError, match="columns a, b"):

@@ -33,11 +33,17 @@ def test_columns_of_a_table_are_written_whatever_their_memory(tmp_path: Path) ->
 
 def test_lines_of_a_file_are_the_document_of_the_program(tmp_path: Path, program: Any) -> None:
     np.save(tmp_path / "bracket.npy", lineament.sample("bracket"))
-    scan = lineament.read(tmp_path / "bracket.npy", attributes=False, hash=True)
+    scan = lineament.read(tmp_path / "bracket.npy", attributes=False)
     lineament.extract(scan).write(tmp_path / "ours.json")
     assert program("extract", tmp_path / "bracket.npy", "-o", tmp_path / "theirs.json").returncode == 0
     ours, theirs = ((tmp_path / name).read_text().splitlines() for name in ("ours.json", "theirs.json"))
     assert len(ours) > 20 and ours == theirs
+
+
+def test_the_hash_of_a_file_is_left_out_on_demand(tmp_path: Path) -> None:
+    np.savetxt(tmp_path / "cloud.xyz", np.eye(3))
+    assert lineament.read(tmp_path / "cloud.xyz", hash=False).sha256 is None
+    assert len(lineament.read(tmp_path / "cloud.xyz").sha256 or "") == 64
 
 
 def test_a_file_that_cannot_be_read_is_told_in_the_words_of_the_program(tmp_path: Path, program: Any) -> None:

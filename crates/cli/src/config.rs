@@ -4,6 +4,8 @@ mod file;
 pub mod near;
 pub mod text;
 
+use std::path::Path;
+
 use lineament::params::Params;
 use lineament::section::SectionParams;
 
@@ -27,6 +29,19 @@ pub fn params_from(params: Params, tuning: &Tuning) -> Result<Params, Failure> {
         Some(method) => set(params, "method", method).map_err(|e| e.at("--method")),
         None => Ok(()),
     })
+}
+
+/// The keys that a parameter file names, with their values as text, checked one by one.
+///
+/// # Errors
+/// As [`params`].
+pub fn of_file(path: &Path) -> Result<Vec<(String, String)>, Failure> {
+    let (mut params, mut all) = (Params::default(), Vec::new());
+    file::each(path, &mut |key, value| {
+        all.push((key.into(), value.into()));
+        set(&mut params, key, value)
+    })?;
+    Ok(all)
 }
 
 /// The parameters of sections in effect: the defaults, under the file, under the options of their own, under `--set`.

@@ -17,8 +17,17 @@ mod summary;
 mod work;
 
 use std::ffi::OsString;
+use std::path::Path;
 
 use clap::Parser;
+
+/// The parameters that a file names, TOML or the JSON of a result: keys and values as text, in the order of the file.
+///
+/// # Errors
+/// What is wrong with the file, or with a parameter, with its line.
+pub fn parameters_of(path: &Path) -> Result<Vec<(String, String)>, String> {
+    config::of_file(path).map_err(|failure| failure.message)
+}
 
 /// Runs the program with a command line, of which the first word is the name of the program. The exit code.
 ///

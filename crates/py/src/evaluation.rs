@@ -1,8 +1,12 @@
 //! `evaluate`: a network against a truth.
 
+use std::path::PathBuf;
+
 use lineament::StripKind;
-use lineament::evaluate::{Distances, Hits, Score, against};
+use lineament::evaluate::{Distances, Hits, Lines, Score, Scoring, score};
+use lineament::math::vec3::distance;
 use lineament::shapes::{Fold, Truth, TruthCurve, TruthNode, sample};
+use lineament_io::read_lines;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
@@ -114,6 +118,30 @@ impl CurveIn<'_> {
     }
 }
 
+/// Known lines: a truth, or the file that holds them.
+#[derive(FromPyObject)]
+pub enum Known<'py> {
+    Truth(TruthIn<'py>),
+    File(PathBuf),
+}
+
+/// Angle between the faces of a mesh beyond which their edge is a line, degrees; that of the program.
+const ANGLE_DEG: f64 = 30.0;
+
+impl Known<'_> {
+    /// The lines, and how many of them are closed.
+    fn lines(&self) -> Result<(Lines, usize), Fault> {
+        match self {
+            Known::Truth(truth) => truth.truth().map(|truth| ((&truth).into(), truth.loops())),
+            Known::File(path) => {
+                let lines = read_lines(path, ANGLE_DEG)?.lines;
+                let closed = lines.lines.iter().filter(|line| line.closed).count();
+                Ok((lines, closed))
+            }
+        }
+    }
+}
+
 /// A score as a dictionary.
 #[derive(IntoPyObject)]
 pub struct ScoreOut {
@@ -132,12 +160,12 @@ pub struct ScoreOut {
 pub fn evaluate(
     py: Python<'_>,
     network: NetworkIn<'_>,
-    truth: TruthIn<'_>,
+    truth: Known<'_>,
     spacing: f64,
 ) -> PyResult<ScoreOut> {
-    let (network, truth) = (network.network()?, truth.truth()?);
-    let strips = network.strips.iter().map(|s| s.length());
-    let length: f64 = strips.chain(truth.curves.iter().map(|c| c.length())).sum();
+    let (network, (truth, closed)) = (network.network()?, truth.lines()?);
+    let (found, loops) = (Lines::from(&network), [network.loops(), closed]);
+    let length = length(&found) + length(&truth);
     if !(spacing > 0.0 && spacing.is_finite() && length <= LONGEST * spacing) {
         let expected = format!("a number above 0, and lines of less than {LONGEST:e} spacings");
         return Err(Fault::Argument(format!(
@@ -145,7 +173,12 @@ pub fn evaluate(
         ))
         .into());
     }
-    Ok(out(&alone(py, move || Ok(against(&network, &truth, spacing)))?))
+    Ok(out(&alone(py, move || Ok(Score { loops, ..score(&found, &truth, &Scoring::new(spacing)) }))?))
+}
+
+fn length(lines: &Lines) -> f64 {
+    let along = |points: &Vec<[f64; 3]>| points.windows(2).map(|w| distance(w[0], w[1])).sum::<f64>();
+    lines.lines.iter().map(|line| along(&line.points)).sum()
 }
 
 fn out(score: &Score) -> ScoreOut {

@@ -50,7 +50,7 @@ mod _lineament {
     #[pymodule_export]
     use crate::sections::{Cut, section};
     #[pymodule_export]
-    use crate::settings::parameters;
+    use crate::settings::{parameters, parameters_of};
 
     /// The version of the package.
     #[pymodule_export]

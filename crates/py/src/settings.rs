@@ -1,5 +1,7 @@
 //! Parameters: the table as Python lists it, and the values that a call sets.
 
+use std::path::PathBuf;
+
 use lineament::Params;
 use pyo3::prelude::*;
 
@@ -17,6 +19,12 @@ pub fn params(settings: &[Setting]) -> Result<Params, Fault> {
     settings.iter().try_for_each(|(key, text)| params.set(key, text))?;
     params.check()?;
     Ok(params)
+}
+
+/// The parameters that a file names, TOML or the JSON of a result.
+#[pyfunction]
+pub fn parameters_of(path: PathBuf) -> PyResult<Vec<Setting>> {
+    Ok(lineament_cli::parameters_of(&path).map_err(Fault::Argument)?)
 }
 
 /// One parameter of the table.

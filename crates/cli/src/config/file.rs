@@ -14,22 +14,33 @@ use crate::failure::{Code, Failure};
 /// # Errors
 /// Input if the file cannot be read or is not TOML, refused if a parameter is; all with file and line.
 pub fn read(path: &Path, params: &mut Params) -> Result<(), Failure> {
+    each(path, &mut |key, value| super::set(params, key, value))
+}
+
+/// What takes a key and its value.
+type Take<'a> = dyn FnMut(&str, &str) -> Result<(), Failure> + 'a;
+
+/// Hands every key that the file names, with its value, to `take`.
+///
+/// # Errors
+/// Input if the file cannot be read or is not TOML, or as `take`; all with file and line.
+pub fn each(path: &Path, take: &mut Take) -> Result<(), Failure> {
     let name = path.display();
     let text = std::fs::read_to_string(path)
         .map_err(|e| Failure::new(Code::Input, format!("{name}: cannot read the parameter file: {e}")))?;
     if text.trim_start().starts_with('{') {
-        return from_json(&text, params).map_err(|e| e.at(name));
+        return from_json(&text, take).map_err(|e| e.at(name));
     }
     let table = DeTable::parse(&text).map_err(|e| {
         let line = e.span().map_or(1, |span| line_of(&text, span.start));
         Failure::new(Code::Input, format!("{name}:{line}: not TOML: {}", e.message()))
             .advise("`lineament params` prints a valid file to start from")
     })?;
-    set_table(&text, "", table.get_ref(), params).map_err(|(line, e)| e.at(format!("{name}:{line}")))
+    set_table(&text, "", table.get_ref(), take).map_err(|(line, e)| e.at(format!("{name}:{line}")))
 }
 
-/// Sets every parameter of the object `parameters`.
-fn from_json(text: &str, params: &mut Params) -> Result<(), Failure> {
+/// Takes every parameter of the object `parameters`.
+fn from_json(text: &str, take: &mut Take) -> Result<(), Failure> {
     let fail = |what: String| {
         Failure::new(Code::Input, what).advise("give a TOML file, or the JSON that `lineament extract` wrote")
     };
@@ -37,7 +48,7 @@ fn from_json(text: &str, params: &mut Params) -> Result<(), Failure> {
     let entries = root["parameters"].as_object().ok_or_else(|| fail("no object `parameters`".into()))?;
     for (key, value) in entries {
         let plain = value.as_str().map_or_else(|| value.to_string(), String::from);
-        super::set(params, key, &plain)?;
+        take(key, &plain)?;
     }
     Ok(())
 }
@@ -47,21 +58,21 @@ fn line_of(text: &str, offset: usize) -> usize {
     1 + text.as_bytes().iter().take(offset).filter(|&&byte| byte == b'\n').count()
 }
 
-fn set_table(text: &str, prefix: &str, table: &DeTable, params: &mut Params) -> Result<(), (usize, Failure)> {
+fn set_table(text: &str, prefix: &str, table: &DeTable, take: &mut Take) -> Result<(), (usize, Failure)> {
     for (key, value) in table {
         let key_text = format!("{prefix}{}", key.get_ref());
         match value.get_ref() {
-            DeValue::Table(inner) => set_table(text, &format!("{key_text}."), inner, params)?,
+            DeValue::Table(inner) => set_table(text, &format!("{key_text}."), inner, take)?,
             _ => {
                 let line = line_of(text, key.span().start);
-                set_value(text, &key_text, value, params).map_err(|e| (line, e))?;
+                set_value(text, &key_text, value, take).map_err(|e| (line, e))?;
             }
         }
     }
     Ok(())
 }
 
-fn set_value(text: &str, key: &str, value: &Spanned<DeValue>, params: &mut Params) -> Result<(), Failure> {
+fn set_value(text: &str, key: &str, value: &Spanned<DeValue>, take: &mut Take) -> Result<(), Failure> {
     let source = text.get(value.span()).unwrap_or_default();
     let plain = match value.get_ref() {
         DeValue::String(string) => string.to_string(),
@@ -73,7 +84,7 @@ fn set_value(text: &str, key: &str, value: &Spanned<DeValue>, params: &mut Param
             return Err(Failure::new(Code::Refused, message));
         }
     };
-    super::set(params, key, &plain)
+    take(key, &plain)
 }
 
 #[cfg(test)]
