@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from os import fspath
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -13,7 +12,7 @@ import numpy.typing as npt
 from lineament import _lineament
 from lineament._extraction import LINES, Extraction, Progress, of
 from lineament._network import Path
-from lineament._parameters import settings, signed
+from lineament._parameters import ParamsLike, settings, signed
 from lineament._points import Points, PointsLike
 from lineament._progress import watcher
 from lineament._scan import as_scan
@@ -80,7 +79,7 @@ def enrich(
     *,
     step: float = 1.0,
     progress: Progress = False,
-    params: Mapping[str, Any] | None = None,
+    params: ParamsLike | None = None,
     **parameters: Unpack[Parameters],
 ) -> Enriched:
     """Adds points along the creases and borders of points, and at the corners, as ``lineament enrich`` (Gumhold 2001, section 5.2):

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from os import fspath
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -13,7 +12,7 @@ import numpy.typing as npt
 from lineament import _lineament
 from lineament._extraction import LINES, Extraction, Progress, of
 from lineament._network import Path
-from lineament._parameters import settings, signed
+from lineament._parameters import ParamsLike, settings, signed
 from lineament._points import PointsLike
 from lineament._progress import watcher
 from lineament._scan import as_scan
@@ -64,7 +63,7 @@ def graph(
     *,
     graph: Literal["riemannian", "delaunay"] = "riemannian",
     progress: Progress = False,
-    params: Mapping[str, Any] | None = None,
+    params: ParamsLike | None = None,
     **parameters: Unpack[Parameters],
 ) -> Graph:
     """The neighbour graph of points, parted into the edges along the surface and those that cross a crease or a border, as

@@ -29,6 +29,7 @@ __all__ = [
     "mark",
     "mesh",
     "parameters",
+    "parameters_of",
     "png",
     "read",
     "read_mesh",

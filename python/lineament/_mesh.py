@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from os import fspath
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -14,7 +13,7 @@ from lineament import _lineament
 from lineament._errors import ParameterError
 from lineament._extraction import LINES, Extraction, Progress, of
 from lineament._network import Path
-from lineament._parameters import settings, signed
+from lineament._parameters import ParamsLike, settings, signed
 from lineament._points import Points, PointsLike
 from lineament._progress import watcher
 from lineament._scan import as_scan
@@ -67,7 +66,7 @@ def mesh(
     step: float | None = None,
     enrich: bool = True,
     progress: Progress = False,
-    params: Mapping[str, Any] | None = None,
+    params: ParamsLike | None = None,
     **parameters: Unpack[Parameters],
 ) -> Mesh:
     """Makes a mesh of points whose edges follow their creases and borders, turned outwards, as ``lineament mesh`` (Gumhold 2001,

@@ -73,6 +73,6 @@ def test_lines_count_by_their_length_and_not_by_their_vertices() -> None:
     network = lineament.extract(lineament.sample("cube-386")).network
     strips = [strip.polyline for strip in network]
     far = np.array([[9.0, 9.0, 9.0], [10.0, 9.0, 9.0]])
-    dense = np.linspace(far[0], far[1], 1001)
+    dense = np.column_stack([np.linspace(9.0, 10.0, 1001), np.full((1001, 2), 9.0)])
     few, many = (lineament.evaluate(network, [*strips, line]).at_1h.recall for line in (far, dense))
     assert few == pytest.approx(many, abs=0.02) and few < 0.95

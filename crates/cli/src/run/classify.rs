@@ -48,7 +48,8 @@ pub fn run(args: &Classify) -> Result<(), Failure> {
 
 fn one(work: &Work, args: &Classify, origin: &Origin, outputs: &[PathBuf]) -> Result<Done, Failure> {
     let start = Instant::now();
-    let mut input = work.load(origin, &ReadOptions::default())?;
+    let mut input =
+        work.load(origin, &ReadOptions { hash: page::states_hash(outputs), ..Default::default() })?;
     let found = match args.detector {
         Some(detector) => by_detector(work, origin, &input, detector)?,
         None => by_method(work, origin, &input)?,

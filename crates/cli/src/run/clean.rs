@@ -34,7 +34,8 @@ pub fn run(args: &args::Clean) -> Result<(), Failure> {
 
 fn one(work: &Work, args: &args::Clean, origin: &Origin, outputs: &[PathBuf]) -> Result<Done, Failure> {
     let start = Instant::now();
-    let mut input = work.load(origin, &ReadOptions::default())?;
+    let mut input =
+        work.load(origin, &ReadOptions { hash: page::states_hash(outputs), ..Default::default() })?;
     let found = clean(&input.cloud, &work.params).map_err(|e| Failure::from(e).at(origin.shown()))?;
     let inputs = work.inputs_with(&input);
     let labels = if args.label { label_clutter(&mut input.cloud, &found.clutter) } else { Vec::new() };

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use lineament::apply::render::View;
 use lineament::{Cloud, Extraction};
-use lineament_io::{NetworkContext, NetworkFormat, ReadOptions, network_format, write_network};
+use lineament_io::{NetworkContext, ReadOptions, network_format, write_network};
 
 use super::context::context;
 use super::{page, stages};
@@ -50,7 +50,7 @@ fn one(
     view: Option<[f64; 3]>,
 ) -> Result<Done, Failure> {
     let start = Instant::now();
-    let hash = outputs.iter().any(|path| matches!(network_format(path), Ok(NetworkFormat::Json)));
+    let hash = page::states_hash(outputs);
     let input = work
         .load(origin, &ReadOptions { attributes: false, without_noise: true, hash, ..Default::default() })?;
     let mut found = work.extract(origin, &input)?;

@@ -12,6 +12,14 @@ pub fn is_page(path: &Path) -> bool {
     network_format(path).is_ok_and(|format| format == NetworkFormat::Html)
 }
 
+/// Whether one of the outputs states the SHA-256 of the input: JSON and reports do.
+pub fn states_hash(outputs: &[PathBuf]) -> bool {
+    let states = |path: &PathBuf| {
+        network_format(path).is_ok_and(|f| matches!(f, NetworkFormat::Json | NetworkFormat::Html))
+    };
+    outputs.iter().any(states)
+}
+
 /// Writes what was extracted, with the points by class, and by patch if these were looked for.
 pub fn extracted(
     path: &Path,

@@ -38,7 +38,7 @@ fn one(work: &Work, args: &args::Patches, origin: &Origin, outputs: &[PathBuf]) 
     let is =
         |wanted: fn(PatchFormat) -> bool| outputs.iter().any(|path| patch_format(path).is_ok_and(wanted));
     let attributes = is(|f| matches!(f, PatchFormat::Points(_)));
-    let hash = is(|f| f == PatchFormat::Json);
+    let hash = page::states_hash(outputs);
     let mut input =
         work.load(origin, &ReadOptions { attributes, without_noise: true, hash, ..Default::default() })?;
     let found = work.extract(origin, &input)?;

@@ -6,7 +6,7 @@ use std::time::Instant;
 use lineament::Cloud;
 use lineament::section::{SectionParams, Sections, Zero, steps};
 use lineament_io::{
-    Report, SectionContext, SectionFormat, section_format, write_report, write_section_stages, write_sections,
+    Report, SectionContext, section_format, write_report, write_section_stages, write_sections,
 };
 
 use super::slicing::{HEADER, cut, row, said};
@@ -50,7 +50,7 @@ fn one(
     several: bool,
 ) -> Result<Done, Failure> {
     let start = Instant::now();
-    let hash = outputs.iter().any(|path| matches!(section_format(path), Ok(SectionFormat::Json)));
+    let hash = page::states_hash(outputs);
     let (input, sections, stack) = cut(&args.source, origin, params, hash, args.running.quiet)?;
     let context = SectionContext {
         program_version: env!("CARGO_PKG_VERSION").into(),

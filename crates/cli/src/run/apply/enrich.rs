@@ -30,7 +30,7 @@ pub fn run(args: &args::Enrich) -> Result<(), Failure> {
 
 fn one(work: &Work, args: &args::Enrich, origin: &Origin, outputs: &[PathBuf]) -> Result<Done, Failure> {
     let start = Instant::now();
-    let input = work.load(origin, &ReadOptions::default())?;
+    let input = work.load(origin, &ReadOptions { hash: page::states_hash(outputs), ..Default::default() })?;
     let found = work.extract(origin, &input)?;
     let points = line_points(&input.cloud, &found, &work.params, args.step);
     let (mut cloud, mut classes) = enriched(&input.cloud, &found.classes(), &points);
