@@ -18,7 +18,7 @@ use crate::network::Network;
 /// The list of a network.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Inspection {
-    /// Holes, bosses, circles and arcs: by their kind, then by their diameter, greatest first.
+    /// Holes, bosses, circles and arcs: by their kind, then by their diameter, greatest first; arcs that are open come after the others.
     pub rounds: Vec<RoundFeature>,
     /// Straight edges, the longest first.
     pub edges: Vec<StraightEdge>,

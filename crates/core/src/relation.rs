@@ -22,6 +22,7 @@ mod related;
 mod relations;
 mod tangent;
 
+pub(crate) use find::OPEN;
 pub use related::Related;
 pub(crate) use related::related;
 pub use relations::{Member, Regularised, Relation, RelationKind};

@@ -4,6 +4,7 @@ use super::rims::{Rim, RimSide};
 use super::ring::{Ring, RoundSigma, rings};
 use crate::math::vec3::{add, add_scaled, distance, dot, norm, scale, sub, unit};
 use crate::network::Network;
+use crate::relation::OPEN;
 
 /// Spacings, beside three standard deviations, within which two rims of one wall have one axis and one radius.
 const SAME: f64 = 0.5;
@@ -59,6 +60,12 @@ impl RoundKind {
 }
 
 impl RoundFeature {
+    /// Whether it is an arc whose points leave its diameter open: it is known to no better than 5 %, as of arcs that are in no relation.
+    pub fn is_open(&self) -> bool {
+        let known = |s: &RoundSigma| s.diameter <= OPEN * self.diameter;
+        self.kind == RoundKind::Arc && !self.sigma.as_ref().is_some_and(known)
+    }
+
     /// The distance from rim to rim of a hole or boss; `None` where one rim alone is known.
     pub fn depth(&self) -> Option<f64> {
         match self.centres[..] {
@@ -68,7 +75,7 @@ impl RoundFeature {
     }
 }
 
-/// All round features: by their kind, then by their diameter, greatest first. `sides` says of each strip what it is the rim of.
+/// All round features: by their kind, then by their diameter, greatest first, arcs whose points leave it open after the others. `sides` says of each strip what it is the rim of.
 pub(super) fn rounds(network: &Network, sides: &[Option<RimSide>], spacing: f64) -> Vec<RoundFeature> {
     let rings = rings(network, sides, spacing);
     let partner = partners(&rings, spacing);
@@ -81,7 +88,8 @@ pub(super) fn rounds(network: &Network, sides: &[Option<RimSide>], spacing: f64)
         }
     }
     all.sort_by(|a, b| {
-        a.kind.cmp(&b.kind).then(b.diameter.total_cmp(&a.diameter)).then(a.strips.cmp(&b.strips))
+        let known = a.kind.cmp(&b.kind).then(a.is_open().cmp(&b.is_open()));
+        known.then(b.diameter.total_cmp(&a.diameter)).then(a.strips.cmp(&b.strips))
     });
     all
 }

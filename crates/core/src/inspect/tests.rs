@@ -1,5 +1,7 @@
 use super::*;
-use crate::network::StripKind;
+use crate::curve::pieces::{Piece, Shape, Sigma};
+use crate::curve::{BSpline, Round};
+use crate::network::{Strip, StripKind};
 use crate::params::Params;
 use crate::shapes::{self, Sampling, Scan};
 use crate::{Class, extract};
@@ -45,4 +47,39 @@ fn without_points_circles_have_no_name() {
     assert!(!found.rounds.is_empty());
     assert!(found.rounds.iter().all(|r| matches!(r.kind, RoundKind::Circle | RoundKind::Arc)));
     assert_eq!(inspect(&Default::default(), &[], 1.0), Inspection::default());
+}
+
+/// An arc of a few degrees may have any radius: it comes after those that are known.
+#[test]
+fn an_arc_whose_diameter_is_open_does_not_head_the_list() {
+    let arc = |radius: f64, sigma: f64| {
+        let round = Round { centre: [0.0; 3], normal: [0.0, 0.0, 1.0], radius };
+        let points = round.samples([radius, 0.0, 0.0], 0.2, 9);
+        let known = Sigma::Round { radius: sigma, normal: 0.01, covariance: [[0.0; 4]; 4] };
+        let (from, to) = (points[0], points[8]);
+        let shape = Shape::Arc { round, sweep: 0.2 };
+        let piece = Piece { shape, from, to, first: 0, last: 8, deviation: 0.0, sigma: Some(known) };
+        let curve =
+            BSpline { degree: 1, knots: vec![0.0, 0.0, 1.0, 1.0], controls: vec![from, to], periodic: false };
+        Strip {
+            kind: StripKind::Crease,
+            closed: false,
+            start: None,
+            end: None,
+            points,
+            curve,
+            curves: vec![piece],
+            sources: Vec::new(),
+            fold_deg: None,
+            evidence: None,
+            deviation: 0.0,
+            confidence: 1.0,
+            sigma: Vec::new(),
+        }
+    };
+    let strips = vec![arc(5.0, 0.1), arc(621.0, 163.0), arc(9.0, 0.2)];
+    let found = inspect(&Network { nodes: Vec::new(), strips }, &[], 1.0);
+    let diameters: Vec<f64> = found.rounds.iter().map(|r| r.diameter).collect();
+    assert_eq!(diameters, [18.0, 10.0, 1242.0]);
+    assert_eq!(found.rounds.iter().map(RoundFeature::is_open).collect::<Vec<_>>(), [false, false, true]);
 }

@@ -20,7 +20,7 @@ use std::collections::BTreeSet;
 const CROWD: usize = 8;
 
 /// Standard deviation of a radius, as a share of it, beyond which an arc is in no relation.
-const OPEN: f64 = 0.05;
+pub(crate) const OPEN: f64 = 0.05;
 
 /// The relations as found.
 #[derive(Clone, Debug)]
