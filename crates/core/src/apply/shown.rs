@@ -8,6 +8,9 @@ const FAR: f64 = 1e-3;
 /// Points that may lie far away, whatever their number.
 const FEW: f64 = 3.0;
 
+/// Greatest share of the points that may.
+const MOST: f64 = 0.1;
+
 /// A box around nearly all points, and room around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shown {
@@ -18,7 +21,9 @@ pub struct Shown {
 impl Shown {
     /// The box around finite points: that of all but a thousandth of them on each side, with its longest side as room around it.
     pub fn around(points: &[[f64; 3]]) -> Shown {
-        let few = (FEW / points.len().max(1) as f64).clamp(FAR, 0.25);
+        // Of few points all are shown.
+        let few =
+            Some(FEW / points.len().max(1) as f64).filter(|&few| few <= MOST).map_or(0.0, |few| few.max(FAR));
         let axis = |k: usize| {
             let mut values: Vec<f64> = points.iter().map(|p| p[k]).collect();
             [quantile(&mut values, few), quantile(&mut values, 1.0 - few)]

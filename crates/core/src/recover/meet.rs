@@ -36,8 +36,9 @@ pub(crate) fn meet(network: &mut Network, scales: Scales, spline: &SplineParams)
     let mut leads: Vec<Vec<Lead>> = vec![Vec::new(); nodes.len()];
     for strip in strips {
         for (k, end) in [strip.start, strip.end].into_iter().enumerate() {
-            let lead = end.and_then(|_| Lead::of(strip, k == 1, scales));
-            leads[end.unwrap_or_default() as usize].extend(end.and(lead));
+            if let Some(end) = end {
+                leads[end as usize].extend(Lead::of(strip, k == 1, scales));
+            }
         }
     }
     let moved: Vec<Option<[f64; 3]>> = parallel::map(nodes.len(), parallel::TASK, |n| {
