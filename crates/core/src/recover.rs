@@ -34,7 +34,7 @@ use crate::pattern::{LineGraph, Pattern, paths};
 use crate::surface::Scales;
 
 /// Strips and nodes of a pattern, with smooth curves (Gumhold 2001, section 4, the simple solution); local frame, sources as
-/// canonical indices. Strips between nodes that are up to `contracted` spacings long become one node.
+/// canonical indices. Creases between nodes that are up to `contracted` spacings long become one node.
 pub(crate) fn recover<'a>(
     pattern: &Pattern,
     scales: impl Into<Scales<'a>>,
@@ -43,8 +43,9 @@ pub(crate) fn recover<'a>(
 ) -> Network {
     let scales = scales.into();
     let mut network = Network::default();
-    let met = |lines| nodes::meet(lines, paths(lines), scales, contracted);
-    let (mut crease, border) = (met(&pattern.crease), met(&pattern.border));
+    let met = |lines, contracted| nodes::meet(lines, paths(lines), scales, contracted);
+    // Borders are lines of the spanning graph in the default method too.
+    let (mut crease, border) = (met(&pattern.crease, contracted), met(&pattern.border, SPANNING));
     nodes::agree((&pattern.crease, &mut crease), (&pattern.border, &border), scales, contracted);
     for (kind, meeting) in [(StripKind::Crease, crease), (StripKind::Border, border)] {
         append(&mut network, kind, pattern.of(kind), meeting, scales, params);

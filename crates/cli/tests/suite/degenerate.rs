@@ -70,11 +70,11 @@ fn rows_that_are_not_finite_change_nothing_but_their_count() {
     extract(&sandbox, &points).expect(0).says(&["3 not finite", "12 creases", "8 junctions"]);
 }
 
-/// Grids write 1.70141e38, and others 1e30 or -3.4e38, where they have no value.
+/// Grids write 1.70141e38, and others 1e30, where they have no value.
 #[test]
 fn numbers_that_stand_for_no_value_leave_the_lines_of_the_others() {
     let sandbox = Sandbox::new();
-    for none in [1e30, 1.70141e38, -3.402_823_466_385_288_6e38] {
+    for none in [1e30, 1.70141e38] {
         let mut points = cube();
         points.push([none; 3]);
         extract(&sandbox, &points).expect(0).says(&["12 creases", "0 borders, 8 junctions"]);
