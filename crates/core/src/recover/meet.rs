@@ -41,10 +41,24 @@ pub(crate) fn meet(network: &mut Network, scales: Scales, spline: &SplineParams)
             }
         }
     }
-    let moved: Vec<Option<[f64; 3]>> = parallel::map(nodes.len(), parallel::TASK, |n| {
+    let mut moved: Vec<Option<[f64; 3]>> = parallel::map(nodes.len(), parallel::TASK, |n| {
         if nodes[n].degree > 1 { met(nodes[n].position, &leads[n]) } else { None }
     });
+    part(network, &mut moved);
     lay(network, &moved, scales, spline);
+}
+
+/// Leaves the nodes of a strip that would shrink to a point where they are.
+fn part(network: &Network, moved: &mut [Option<[f64; 3]>]) {
+    let Network { nodes, strips, .. } = network;
+    let ends = strips.iter().filter_map(|s| Some([s.start? as usize, s.end? as usize]));
+    let met: Vec<[usize; 2]> = ends
+        .filter(|&[a, b]| {
+            let to = |n: usize| moved[n].unwrap_or(nodes[n].position);
+            a != b && to(a) == to(b)
+        })
+        .collect();
+    met.into_iter().flatten().for_each(|n| moved[n] = None);
 }
 
 /// A curve that leads to a node, as its tangent there.
@@ -180,7 +194,8 @@ fn lay(network: &mut Network, moved: &[Option<[f64; 3]>], scales: Scales, spline
     for strip in &mut network.strips {
         let (Some(start), Some(end)) = (strip.start, strip.end) else { continue };
         let ends = [start, end].map(|n| n as usize);
-        if ends.iter().all(|&n| moved[n].is_none()) {
+        // A strip that is a point goes where results go to the world frame.
+        if ends.iter().all(|&n| moved[n].is_none()) || strip.points.len() < 2 {
             continue;
         }
         let bent = BENT * scales.finest(&strip.sources).spacing;
