@@ -17,6 +17,7 @@ pub(crate) mod search;
 mod sigma;
 
 pub(crate) use free::Free;
+pub(crate) use hook::AT_END;
 pub(crate) use join::ellipse;
 pub(crate) use merge::spline;
 pub(crate) use noise::Noise;

@@ -2,7 +2,7 @@
 //! away from the edge; the line through the others leads on to the corner.
 
 use super::spline::{self, ALIKE, BENT, Place};
-use crate::curve::pieces::{Piece, Shape};
+use crate::curve::pieces::{AT_END, Piece, Shape};
 use crate::curve::round::{Round, plane};
 use crate::frame::on_grid;
 use crate::math::least_squares::solve;
@@ -21,8 +21,6 @@ const LEAST: f64 = 3.0;
 const NODE: f64 = 0.7;
 /// Standard deviation of a curve of which many points are known, spacings.
 const MODEL: f64 = 0.05;
-/// Variance at the end of a line through points of variance 1, times the number of these; that of an arc.
-const AT_END: [f64; 2] = [4.0, 9.0];
 /// Least way that a node moves, spacings: the strips on it are laid anew.
 const NEAR: f64 = 0.3;
 /// Farthest that a node moves, spacings.
@@ -194,7 +192,7 @@ fn lay(network: &mut Network, moved: &[Option<[f64; 3]>], scales: Scales, spline
     for strip in &mut network.strips {
         let (Some(start), Some(end)) = (strip.start, strip.end) else { continue };
         let ends = [start, end].map(|n| n as usize);
-        // A strip that is a point goes where results go to the world frame.
+        // A strip that is a single point is dropped later, on the way to the world frame.
         if ends.iter().all(|&n| moved[n].is_none()) || strip.points.len() < 2 {
             continue;
         }

@@ -2,7 +2,8 @@
 //!
 //! In a minimum spanning graph three lines meet in two or three neighbouring vertices as often as in one. A strip shorter than
 //! the neighbourhood cannot be told from such a link, so it is contracted, and its ends become one node. The default method lays
-//! corners where lines meet, on both sides of a thin wall, so that only what is shorter than a spacing is contracted.
+//! corners where creases meet, on both sides of a thin wall, so that only creases up to a spacing long are contracted; its borders are
+//! lines of the spanning graph.
 
 use std::collections::BTreeMap;
 
@@ -16,7 +17,7 @@ use crate::surface::Scales;
 /// Greatest length of a strip between two junctions or corners that is contracted, spacings: of lines of a spanning graph.
 pub(crate) const SPANNING: f64 = 3.0;
 
-/// As [`SPANNING`], of lines that were led on to their corners.
+/// As [`SPANNING`], of creases that were led on to their corners.
 pub(crate) const LED_ON: f64 = 1.0;
 
 /// Greatest distance between a crease's end and a border's node that become one, spacings.

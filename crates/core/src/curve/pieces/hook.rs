@@ -11,7 +11,7 @@ const MISSED: f64 = 0.2;
 /// Standard deviations of the curve at its end that the node must lie away.
 const SURE: f64 = 3.0;
 /// Variance at the end of a line through points of variance 1, times the number of these; that of an arc.
-const AT_END: [f64; 2] = [4.0, 9.0];
+pub(crate) const AT_END: [f64; 2] = [4.0, 9.0];
 
 /// Parts the ends of an open row from lines and arcs that miss its nodes; rows bend over a length of `bent` beside these.
 pub(super) fn hook(points: &[[f64; 3]], spans: &mut Vec<Span>, noise: &Noise, bent: f64) {
