@@ -1,5 +1,6 @@
 //! The local frame that every stage works in: lengths near 1, the origin at the cloud, the points in one order.
 
+mod far;
 mod morton;
 mod order;
 
@@ -41,11 +42,19 @@ pub struct Localised {
     pub source: Vec<u32>,
     /// Each input point that repeats another one exactly, with their canonical index.
     pub repeats: Vec<(u32, u32)>,
-    /// The number of input points with a coordinate that is not finite.
+    /// The number of input points left out: with a coordinate that is not finite, or beyond reach.
     pub dropped: usize,
+    /// How many of these are finite, but so far from the others that f64 cannot hold both: numbers that stand for no value.
+    pub beyond: usize,
 }
 
 impl Localised {
+    /// Whether coordinates from the least corner hardly tell neighbours apart.
+    fn is_coarse(&self) -> bool {
+        let extent = self.positions.iter().flatten().copied().fold(0.0, f64::max) * self.frame.scale;
+        far::suspected(extent, self.frame.scale, self.merged(), self.positions.len() + self.merged())
+    }
+
     /// The number of input points that repeat another one exactly.
     pub fn merged(&self) -> usize {
         self.repeats.len()
@@ -98,6 +107,16 @@ impl Frame {
         if points.len() > limit {
             return Err(Error::TooManyPoints { read: points.len(), limit });
         }
+        match Frame::of_all(points) {
+            Ok(local) if !local.is_coarse() => Ok(local),
+            coarse => match far::without(points) {
+                Some((kept, beyond)) => Ok(Localised { beyond, ..Frame::of_all(&kept)? }),
+                None => coarse,
+            },
+        }
+    }
+
+    fn of_all(points: &[[f64; 3]]) -> Result<Localised, Error> {
         let bounds = Bounds::of(points);
         let grid = Grid::new(bounds.corner(), bounds.extent()?);
         let ordered = order::canonical(&grid, points);
@@ -128,7 +147,7 @@ impl Frame {
         });
         let finite = positions.len();
         let repeats = if levels[LEVELS] > 0 { merge(&mut positions, &mut source) } else { Vec::new() };
-        Localised { frame: self, positions, source, repeats, dropped: read - finite }
+        Localised { frame: self, positions, source, repeats, dropped: read - finite, beyond: 0 }
     }
 
     /// The world coordinates of a local point.

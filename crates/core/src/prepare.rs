@@ -39,6 +39,7 @@ pub(crate) struct Prepared {
     pub(crate) count: usize,
     findings: Findings,
     dropped: usize,
+    beyond: usize,
     merged: usize,
 }
 
@@ -51,7 +52,7 @@ pub(crate) fn prepare(world: &[[f64; 3]], params: &Params, clock: &mut Clock) ->
         clock.run(Stage::Localise, || Frame::of_points(world).map(|local| (local.canonical(), local)))?;
     let merged = local.merged();
     refuse_degenerate(world.len(), &local.positions)?;
-    let Localised { frame, mut positions, mut source, dropped, .. } = local.with_spacing()?;
+    let Localised { frame, mut positions, mut source, dropped, beyond, .. } = local.with_spacing()?;
     let mut joined = clock.run(Stage::Neighbors, || Joined::new(&positions, params));
     let (mut clutter, mut findings) = (Vec::new(), Findings::default());
     if cleaned(params) {
@@ -78,7 +79,7 @@ pub(crate) fn prepare(world: &[[f64; 3]], params: &Params, clock: &mut Clock) ->
         if scaled(params) { evened(&spacings(&positions, &nearest), resolution) } else { Vec::new() };
     let count = positions.len();
     let part = Prepared::of_part(frame, (positions, source), graph, (resolution, spacing), count);
-    Ok(Prepared { canonical, clutter, findings, dropped, merged, ..part })
+    Ok(Prepared { canonical, clutter, findings, dropped, beyond, merged, ..part })
 }
 
 /// Whether the stage `surface` runs: in the robust forms by default, but not in the forms as printed, which take every point.
@@ -177,7 +178,7 @@ impl Prepared {
         count: usize,
     ) -> Prepared {
         let (canonical, clutter, findings) = Default::default();
-        let (dropped, merged) = (0, 0);
+        let (dropped, beyond, merged) = (0, 0, 0);
         Prepared {
             frame,
             positions,
@@ -191,6 +192,7 @@ impl Prepared {
             count,
             findings,
             dropped,
+            beyond,
             merged,
         }
     }
@@ -224,6 +226,11 @@ impl Prepared {
         Scales::new(self.resolution, &self.spacing)
     }
 
+    fn beyond_note(&self) -> Vec<String> {
+        let words = "numbers that stand for no value are left out, counted as not finite: f64 cannot hold the others beside them";
+        (self.beyond > 0).then(|| format!("{} of the points hold {words}", self.beyond)).into_iter().collect()
+    }
+
     /// Counts, estimates and notes on the cloud; stages and settings are still empty.
     pub(crate) fn report(&self) -> Report {
         let surface = self.findings.scaled(self.frame.length_to_world(1.0));
@@ -233,7 +240,7 @@ impl Prepared {
             merged: self.merged,
             points: self.positions.len(),
             surface,
-            notes: surface.notes(self.canonical.len()),
+            notes: [self.beyond_note(), surface.notes(self.canonical.len())].concat(),
             spacing: self.frame.length_to_world(self.resolution.spacing),
             noise: self.frame.length_to_world(self.resolution.noise),
             ..Report::default()

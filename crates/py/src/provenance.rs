@@ -65,7 +65,7 @@ impl Provenance {
         })
     }
 
-    /// The context of sections, of which a drawing has `millimetres` for one unit, and DXF states `unit`.
+    /// The context of sections, of which a drawing has `millimetres` for one unit, and DXF and STEP state `unit`.
     ///
     /// # Errors
     /// A unit that is none.
@@ -84,6 +84,7 @@ impl Provenance {
             crs_wkt: self.crs_wkt,
             millimetres,
             unit: known(unit)?,
+            step: Default::default(),
             stack,
         })
     }

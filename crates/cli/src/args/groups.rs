@@ -8,6 +8,6 @@ mod work;
 
 pub use running::Running;
 pub use source::{Reading, Source};
-pub use stated::{Cad, Stated};
+pub use stated::Cad;
 pub use tuning::{Settings, Tuning};
 pub use work::Work;

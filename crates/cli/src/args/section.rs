@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum, ValueHint};
 use lineament::params::{Auto, ParamValue};
 use lineament::section::{Axis, Planes, SectionParams, Zero};
 
-use super::groups::{Running, Settings, Source, Stated};
+use super::groups::{Cad, Running, Settings, Source};
 use super::parse;
 
 /// The head of the long help.
@@ -65,7 +65,7 @@ pub struct Section {
     #[arg(long, help_heading = "Output", value_name = "MM", value_parser = parse::length)]
     pub millimetres: Option<f64>,
     #[command(flatten)]
-    pub stated: Stated,
+    pub cad: Cad,
     #[command(flatten)]
     pub running: Running,
 }

@@ -48,7 +48,7 @@ pub fn run(args: &Evaluate) -> Result<(), Failure> {
     let Some(truth) = &args.truth else { return of_marks(args, &inputs) };
     let scan = args.points.as_ref().map(|path| load(path)).transpose()?;
     let labels = args.labels.as_ref().map(|path| labels_of(path)).transpose()?;
-    let compared = compare(args, truth, scan.as_ref(), labels.as_deref())?;
+    let compared = compare(args, truth, scan.as_ref(), labels.as_deref()).map_err(|e| of_points(args, e))?;
     print(&table::of(&compared))?;
     for path in &args.output {
         outputs::write(path, || match extension(path).as_str() {
@@ -58,6 +58,16 @@ pub fn run(args: &Evaluate) -> Result<(), Failure> {
     }
     tell_written(args);
     Ok(())
+}
+
+/// A failure with the advice that marks of points need, if the result holds some in place of lines.
+fn of_points(args: &Evaluate, failure: Failure) -> Failure {
+    match read_marks(&args.result) {
+        Ok(_) => {
+            failure.advise("it holds marks of points: compare them by --labels FILE in place of --truth")
+        }
+        Err(_) => failure,
+    }
 }
 
 /// Names the files that were written, as all commands do.

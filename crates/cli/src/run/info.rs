@@ -90,6 +90,12 @@ fn file_lines(text: &mut String, input: &Input) {
     input.remarks.iter().for_each(|remark| line(text, "left out", remark));
 }
 
+/// A coordinate as it was written: one of single precision has no digits beyond it.
+fn tidy(x: f64) -> String {
+    let single = x as f32;
+    if f64::from(single) == x { single.to_string() } else { x.to_string() }
+}
+
 /// `planned` tells that the points are the vertices of a mesh, whose distances say nothing.
 fn cloud_lines(text: &mut String, cloud: &Cloud, planned: Option<&Planned>) -> Result<(), Failure> {
     let local = Frame::localise(cloud)?.with_spacing()?;
@@ -99,7 +105,7 @@ fn cloud_lines(text: &mut String, cloud: &Cloud, planned: Option<&Planned>) -> R
         return Ok(());
     }
     for (axis, [min, max]) in ["x", "y", "z"].into_iter().zip(bounds(cloud)) {
-        line(text, axis, format!("{min} to {max} (extent {})", figure(max - min)));
+        line(text, axis, format!("{} to {} (extent {})", tidy(min), tidy(max), figure(max - min)));
     }
     if let Some(Planned { plan, .. }) = planned {
         line(text, "spacing", figure(plan.spacing));

@@ -60,7 +60,8 @@ fn one(
         crs: input.reference(),
         crs_wkt: input.wkt.clone(),
         millimetres: args.millimetres,
-        unit: args.stated.unit.or(input.unit),
+        unit: args.cad.stated.unit.or(input.unit),
+        step: args.cad.step_protocol,
         stack,
     };
     for path in outputs {

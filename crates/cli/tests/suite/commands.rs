@@ -143,6 +143,13 @@ fn info_tells_format_counts_bounds_and_spacing() {
     sandbox.write("classes.csv", "x,y,z,class,w\n0,0,0,2,1\n1,0,0,6,1\n0,1,0,5,nan\n");
     let text = sandbox.run(&["info", "classes.csv"]).expect(0).text();
     assert!(text.contains(", 2 to 6\n") && text.contains(", all 1\n"), "{text}");
+    // Numbers of single precision are told as they were written.
+    sandbox.write("single.xyz", format!("{} 0.1 0\n1 2.5 0\n0 1 0.3\n", f64::from(10.6_f32)));
+    let text = sandbox.run(&["info", "single.xyz"]).expect(0).text();
+    assert!(
+        text.contains("0 to 10.6 (") && text.contains("0.1 to 2.5 (") && text.contains("0 to 0.3 ("),
+        "{text}"
+    );
 }
 
 #[test]

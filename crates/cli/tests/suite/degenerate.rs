@@ -79,6 +79,11 @@ fn numbers_that_stand_for_no_value_leave_the_lines_of_the_others() {
         points.push([none; 3]);
         extract(&sandbox, &points).expect(0).says(&["12 creases", "0 borders, 8 junctions"]);
     }
+    for none in [[-3.4e38; 3], [0.5, 0.5, -f64::MAX]] {
+        let points = [vec![none; 9], cube()].concat();
+        let said = ["9 of the points hold numbers that stand for no value", "12 creases", "8 junctions"];
+        extract(&sandbox, &points).expect(0).says(&said);
+    }
 }
 
 #[test]

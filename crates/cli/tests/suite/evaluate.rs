@@ -105,6 +105,8 @@ fn classes_of_points_are_marks_in_every_format() {
     let tables = names.map(|name| sandbox.run(&["evaluate", name, "--labels", "m.npy"]).expect(0).text());
     assert!(tables[0].contains("1.0000     1.0000     1.0000"), "{}", tables[0]);
     assert!(tables.iter().all(|table| *table == tables[0]));
+    let advice = ["marks of points", "--labels FILE in place of --truth"];
+    sandbox.run(&["evaluate", "m.npy", "--truth", "m.npy"]).expect(3).says(&advice);
     sandbox.write("no.csv", "x,y,z,w\n1,2,3,4\n");
     sandbox.run(&["evaluate", "no.csv", "--labels", "m.npy"]).expect(3).says(&["`class`", "`w`", ".npy"]);
 }

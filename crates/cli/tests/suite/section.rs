@@ -211,3 +211,16 @@ fn set_goes_over_the_options_and_these_over_the_file() {
     let set = cut(&["--outline", "hull", "--set", "section.outline=voronoi"]);
     assert!(set == cut(&["--outline", "voronoi"]));
 }
+
+#[test]
+fn sections_as_step_are_read_back_as_the_lines_that_they_are() {
+    let sandbox = Sandbox::new();
+    let outputs = ["-o", "a.step", "-o", "a.json"];
+    for fit in [&["--fit"][..], &[]] {
+        let args = [&["section", "--sample", "cube-15206", "--at=0.1,-0.2"], fit, &outputs[..]].concat();
+        sandbox.run(&args).expect(0).says(&["a.step states millimetres", "wrote a.step, a.json"]);
+        let args = ["evaluate", "a.step", "--truth", "a.json", "--spacing", "0.01", "--tolerance", "0.5"];
+        let table = sandbox.run(&args).expect(0).text();
+        assert!(table.contains("1.0000     1.0000     1.0000"), "{table}");
+    }
+}

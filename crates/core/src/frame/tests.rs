@@ -158,6 +158,27 @@ fn an_outlier_leaves_scale_and_order_of_the_others() {
     }
 }
 
+/// On all axes or on one, above or below, one point or two fifths of them.
+#[test]
+fn numbers_that_stand_for_no_value_leave_the_others_where_they_are() {
+    let points = surface(3000);
+    let alone = localise(&points);
+    for none in [-3.4e38, -f64::MAX, 1e300, -1e20] {
+        for far in [[none; 3], [0.5, 0.5, none], [none, 0.25, 0.5]] {
+            for count in [1, 2000] {
+                let points = [vec![far; count], points.clone()].concat();
+                let with = localise(&points);
+                check(&points, &with);
+                assert_eq!((with.frame, &with.positions), (alone.frame, &alone.positions), "{far:?}");
+                assert_eq!((with.dropped, with.beyond), (count, count));
+            }
+        }
+    }
+    // Far, but not so far that f64 could not hold both.
+    let far = localise(&[vec![[-1e9, 0.5, 0.5]], points].concat());
+    assert_eq!((far.dropped, far.beyond), (0, 0));
+}
+
 #[test]
 fn extreme_sizes_pass_or_are_refused() {
     let points = surface(500);

@@ -1,4 +1,4 @@
-//! Circles and arcs of strips: those of one circle in one strip are one.
+//! Circles and arcs of strips: those of one circle are one, whether a strip has several or nodes part it into several strips.
 
 use super::rims::{MOST_OF_A_TURN, RimSide};
 use crate::curve::Round;
@@ -20,9 +20,13 @@ pub struct RoundSigma {
     pub diameter: f64,
 }
 
-/// A circle or arc of a strip.
+/// Degrees beyond a full turn that arcs of one circle may sweep together: no more than their ends overlap.
+const OVERLAP_DEG: f64 = 5.0;
+
+/// A circle, or arcs of one.
 pub(super) struct Ring {
-    pub strip: usize,
+    /// The strips that it lies on, ascending.
+    pub strips: Vec<usize>,
     pub centre: [f64; 3],
     pub normal: [f64; 3],
     pub radius: f64,
@@ -38,17 +42,17 @@ pub(super) struct Ring {
 pub(super) fn rings(network: &Network, sides: &[Option<RimSide>], spacing: f64) -> Vec<Ring> {
     let mut all: Vec<Ring> = Vec::new();
     for (strip, of) in network.strips.iter().enumerate() {
-        let first = all.len();
         for ring in of.curves.iter().filter_map(|piece| ring(strip, piece)) {
-            match all[first..].iter_mut().find(|other| same(other, &ring, spacing)) {
+            match all.iter_mut().find(|other| other.goes_on(&ring) && same(other, &ring, spacing)) {
                 Some(other) => other.join(&ring),
                 None => all.push(ring),
             }
         }
-        for ring in &mut all[first..] {
-            ring.whole = ring.turn_deg > MOST_OF_A_TURN;
-            ring.side = sides.get(strip).copied().flatten().filter(|_| ring.whole);
-        }
+    }
+    for ring in &mut all {
+        ring.whole = ring.turn_deg > MOST_OF_A_TURN;
+        let named = ring.strips.iter().find_map(|&s| sides.get(s).copied().flatten());
+        ring.side = named.filter(|_| ring.whole);
     }
     all
 }
@@ -68,7 +72,7 @@ fn ring(strip: usize, piece: &Piece) -> Option<Ring> {
         }),
         _ => None,
     };
-    Some(Ring { strip, centre, normal, radius, turn_deg, whole: false, side: None, sigma })
+    Some(Ring { strips: vec![strip], centre, normal, radius, turn_deg, whole: false, side: None, sigma })
 }
 
 /// Whether two arcs are of one circle.
@@ -79,6 +83,11 @@ fn same(a: &Ring, b: &Ring, spacing: f64) -> bool {
 }
 
 impl Ring {
+    /// Whether another arc can be a further part of it: two whole circles of two strips are two.
+    fn goes_on(&self, other: &Ring) -> bool {
+        self.strips.contains(&other.strips[0]) || self.turn_deg + other.turn_deg <= 360.0 + OVERLAP_DEG
+    }
+
     /// With another arc of its circle: the means by their angles, and the deviations of these means.
     fn join(&mut self, other: &Ring) {
         let turn_deg = self.turn_deg + other.turn_deg;
@@ -95,5 +104,7 @@ impl Ring {
         self.normal = unit([0, 1, 2].map(|k| mean(self.normal[k], sense * other.normal[k])));
         self.radius = mean(self.radius, other.radius);
         self.turn_deg = turn_deg;
+        self.strips.extend_from_slice(&other.strips);
+        self.strips.dedup();
     }
 }

@@ -20,9 +20,9 @@ const ALONG: f64 = 0.1;
 pub struct RoundFeature {
     /// Its kind.
     pub kind: RoundKind,
-    /// The strips that it consists of: one, or the two rims of a hole or a boss.
+    /// The strips that it consists of: those of its circle, which nodes may part, or of the two rims of a hole or a boss.
     pub strips: Vec<usize>,
-    /// The centre of each of them, world frame.
+    /// The centre of the circle, or of each of the two rims, world frame.
     pub centres: Vec<[f64; 3]>,
     /// Unit vector along the axis: from the first centre to the second, or with its greatest component above 0.
     pub axis: [f64; 3],
@@ -140,7 +140,7 @@ fn alone(ring: &Ring) -> RoundFeature {
     };
     RoundFeature {
         kind,
-        strips: vec![ring.strip],
+        strips: ring.strips.clone(),
         centres: vec![ring.centre],
         axis: upright(ring.normal),
         diameter: 2.0 * ring.radius,
@@ -176,7 +176,7 @@ fn pair(a: &Ring, b: &Ring) -> RoundFeature {
     };
     RoundFeature {
         kind,
-        strips: vec![a.strip, b.strip],
+        strips: [&a.strips[..], &b.strips].concat(),
         centres: vec![a.centre, b.centre],
         axis,
         diameter,

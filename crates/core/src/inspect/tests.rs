@@ -49,37 +49,57 @@ fn without_points_circles_have_no_name() {
     assert_eq!(inspect(&Default::default(), &[], 1.0), Inspection::default());
 }
 
+/// An arc of a radius about the origin between two angles, radians, whose radius is known to `sigma`.
+fn strip_of(radius: f64, [begin, end]: [f64; 2], sigma: f64) -> Strip {
+    let round = Round { centre: [0.0; 3], normal: [0.0, 0.0, 1.0], radius };
+    let points = round.samples([radius * begin.cos(), radius * begin.sin(), 0.0], end - begin, 9);
+    let known = Sigma::Round { radius: sigma, normal: 0.01, covariance: [[0.0; 4]; 4] };
+    let (from, to) = (points[0], points[8]);
+    let shape = Shape::Arc { round, sweep: end - begin };
+    let piece = Piece { shape, from, to, first: 0, last: 8, deviation: 0.0, sigma: Some(known) };
+    let curve =
+        BSpline { degree: 1, knots: vec![0.0, 0.0, 1.0, 1.0], controls: vec![from, to], periodic: false };
+    Strip {
+        kind: StripKind::Crease,
+        closed: false,
+        start: None,
+        end: None,
+        points,
+        curve,
+        curves: vec![piece],
+        sources: Vec::new(),
+        fold_deg: None,
+        evidence: None,
+        deviation: 0.0,
+        confidence: 1.0,
+        sigma: Vec::new(),
+    }
+}
+
 /// An arc of a few degrees may have any radius: it comes after those that are known.
 #[test]
 fn an_arc_whose_diameter_is_open_does_not_head_the_list() {
-    let arc = |radius: f64, sigma: f64| {
-        let round = Round { centre: [0.0; 3], normal: [0.0, 0.0, 1.0], radius };
-        let points = round.samples([radius, 0.0, 0.0], 0.2, 9);
-        let known = Sigma::Round { radius: sigma, normal: 0.01, covariance: [[0.0; 4]; 4] };
-        let (from, to) = (points[0], points[8]);
-        let shape = Shape::Arc { round, sweep: 0.2 };
-        let piece = Piece { shape, from, to, first: 0, last: 8, deviation: 0.0, sigma: Some(known) };
-        let curve =
-            BSpline { degree: 1, knots: vec![0.0, 0.0, 1.0, 1.0], controls: vec![from, to], periodic: false };
-        Strip {
-            kind: StripKind::Crease,
-            closed: false,
-            start: None,
-            end: None,
-            points,
-            curve,
-            curves: vec![piece],
-            sources: Vec::new(),
-            fold_deg: None,
-            evidence: None,
-            deviation: 0.0,
-            confidence: 1.0,
-            sigma: Vec::new(),
-        }
-    };
+    let arc = |radius: f64, sigma: f64| strip_of(radius, [0.0, 0.2], sigma);
     let strips = vec![arc(5.0, 0.1), arc(621.0, 163.0), arc(9.0, 0.2)];
     let found = inspect(&Network { nodes: Vec::new(), strips }, &[], 1.0);
     let diameters: Vec<f64> = found.rounds.iter().map(|r| r.diameter).collect();
     assert_eq!(diameters, [18.0, 10.0, 1242.0]);
     assert_eq!(found.rounds.iter().map(RoundFeature::is_open).collect::<Vec<_>>(), [false, false, true]);
+}
+
+/// Nodes part the rim of a bore where other lines meet it: it is listed once all the same.
+#[test]
+fn arcs_of_one_circle_are_one_row_and_circles_that_lie_on_each_other_two() {
+    let strips =
+        vec![strip_of(5.0, [0.0, 2.0], 0.1), strip_of(9.0, [0.0, 2.0], 0.1), strip_of(5.1, [2.0, 6.2], 0.1)];
+    let found = inspect(&Network { nodes: Vec::new(), strips }, &[], 1.0);
+    let [circle, arc] = &found.rounds[..] else { panic!("{:?}", found.rounds) };
+    assert_eq!((circle.kind, &circle.strips[..], arc.kind), (RoundKind::Circle, &[0, 2][..], RoundKind::Arc));
+    assert!(
+        circle.diameter > 10.0
+            && circle.diameter < 10.2
+            && (circle.sweep_deg - 6.2_f64.to_degrees()).abs() < 1e-9
+    );
+    let strips = vec![strip_of(5.0, [0.0, 6.0], 0.1), strip_of(5.0, [0.0, 6.0], 0.1)];
+    assert_eq!(inspect(&Network { nodes: Vec::new(), strips }, &[], 1.0).rounds.len(), 2);
 }

@@ -9,13 +9,16 @@
 //!    a spline through points on both;
 //! 4. `short`: edges without length are taken out;
 //! 5. `seam`: faces that go round an axis are cut open;
-//! 6. `shell`: faces that hang together by their edges.
+//! 6. `tangle`: faces whose edges cross or leave a side open are left out, and the others made anew;
+//! 7. `shell`: faces that hang together by their edges.
 
 mod choice;
 mod edge;
 mod seam;
 mod shell;
 mod short;
+mod tangle;
+mod unroll;
 mod vertex;
 
 use super::fit::Surface;
@@ -86,18 +89,21 @@ pub fn brep(network: &Network, patches: &Patches) -> Brep {
     let (mut chosen, mut omitted) = choice::choice(network, patches);
     loop {
         let mut found = build(network, patches, &chosen);
-        let astray = edge::astray(&found, patches);
-        if astray.is_empty() {
+        let (mut without, mut why) = (edge::astray(&found, patches), Omission::Astray);
+        if without.is_empty() {
             short::collapse(&mut found);
             seam::seams(&mut found);
+            (without, why) = (tangle::tangled(&mut found), Omission::Tangled);
+        }
+        if without.is_empty() {
             found.omitted = omitted;
             found.omitted.sort_unstable();
             found.shells = shell::shells(&found.faces);
             found.gap = edge::gap(&found);
             return found;
         }
-        chosen.retain(|p| !astray.contains(p));
-        omitted.extend(astray.into_iter().map(|p| (p, Omission::Astray)));
+        chosen.retain(|p| !without.contains(p));
+        omitted.extend(without.into_iter().map(|p| (p, why)));
     }
 }
 

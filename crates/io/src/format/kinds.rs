@@ -146,6 +146,8 @@ pub enum SectionFormat {
     Ply,
     /// Polylines of lines and arcs, circles, ellipses and splines, release 2000, a layer for each slice; names of the runs as texts.
     Dxf,
+    /// A wireframe of true curves, a set for each contour, a layer for each slice.
+    Step,
     /// A sheet with all slices side by side, in millimetres.
     Svg,
     /// Polygons with their holes, and lines.

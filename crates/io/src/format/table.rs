@@ -88,6 +88,7 @@ pub const FORMATS: &[FileFormat] = &[
             "a wireframe of lines, circles and splines, a layer for each kind",
         )),
         patches: Some((PatchFormat::Step, "faces, sewn to solids where they close")),
+        section: Some((SectionFormat::Step, "a wireframe of the contours, a layer for each slice")),
         ..named("STEP", &["step", "stp"])
     },
     FileFormat {

@@ -8,6 +8,7 @@ mod json;
 mod obj;
 mod ply;
 mod ring;
+mod step;
 mod svg;
 
 pub use context::SectionContext;
@@ -49,6 +50,7 @@ pub fn write_sections_to(
         SectionFormat::Obj => obj::write(out, sections),
         SectionFormat::Ply => ply::write(out, sections),
         SectionFormat::Dxf => dxf::write(out, sections, context),
+        SectionFormat::Step => step::write(out, sections, context),
         SectionFormat::Svg => svg::write(out, sections, context.millimetres),
         SectionFormat::GeoJson => geojson::write(out, sections, context.crs.as_deref()),
         SectionFormat::GeoPackage => gpkg::write(out, sections, context),

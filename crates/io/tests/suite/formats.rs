@@ -118,7 +118,7 @@ fn outputs_are_found_by_extension_and_unknown_ones_are_refused_with_the_known() 
         assert_eq!(graph_format(path).ok(), format.graph.map(|(format, _)| format));
         assert_eq!(mesh_format(path).ok(), format.mesh.map(|(format, _)| format));
     }
-    let message = section_format(Path::new("a.step")).unwrap_err().to_string();
+    let message = section_format(Path::new("a.vtp")).unwrap_err().to_string();
     for extension in extensions(|f| f.section.is_some()) {
         assert!(message.contains(&format!(".{extension}")), "{extension} in {message}");
     }

@@ -2,6 +2,7 @@
 
 mod faces;
 mod parse;
+mod sections;
 
 use crate::common::network;
 use lineament::curve::BSpline;

@@ -19,6 +19,8 @@ pub enum Omission {
     SelfMeeting,
     /// Its edges lie farther from its surface than its points do.
     Astray,
+    /// Its edges cross each other, or leave a side open: they bound nothing.
+    Tangled,
 }
 
 impl Omission {
@@ -31,6 +33,7 @@ impl Omission {
             Omission::Slit => "with a line that ends inside",
             Omission::SelfMeeting => "on a torus that meets itself",
             Omission::Astray => "off their edges",
+            Omission::Tangled => "not bounded by their edges",
         }
     }
 }

@@ -179,10 +179,10 @@ fn parabola(a: [f64; 3], b: [f64; 3], share: f64) -> [f64; 3] {
     add_scaled(scale(a, 1.0 - share), b, share)
 }
 
-/// Points along a curve.
+/// Points along a curve, from end to end.
 pub(super) fn points(shape: &Shape, [from, to]: [[f64; 3]; 2]) -> Vec<[f64; 3]> {
     match shape {
-        Shape::Line => between(from, to, LOOKED_AT).chain([from, to]).collect(),
+        Shape::Line => [from].into_iter().chain(between(from, to, LOOKED_AT)).chain([to]).collect(),
         Shape::Arc { round, sweep } => round.samples(from, *sweep, LOOKED_AT + 1),
         Shape::Circle(round) => round.samples(from, std::f64::consts::TAU, LOOKED_AT + 1),
         Shape::Ellipse { ellipse, sweep } => {

@@ -2,6 +2,7 @@
 //! line across it, so that it has one loop. Without a seam a face like that has no inside in the parameters of its surface.
 
 use super::edge::points;
+use super::tangle::sides;
 use super::vertex::{axis, meet, radial};
 use super::{Brep, Edge, Face};
 use crate::curve::Round;
@@ -26,7 +27,7 @@ pub(super) fn seams(found: &mut Brep) {
     while !open.is_empty() {
         let next = open.iter().position(|&(f, holes)| settled(found, f, holes, &fixed) > 0).unwrap_or(0);
         let (f, holes) = open.remove(next);
-        cut(found, f, holes, &mut fixed);
+        cut_soundly(found, f, holes, &mut fixed);
     }
     for f in 0..found.faces.len() {
         if found.faces[f].first == [0.0; 3] {
@@ -110,6 +111,26 @@ fn start(found: &Brep, row: &[(u32, bool)]) -> u32 {
 fn settled(found: &Brep, f: usize, holes: usize, fixed: &BTreeSet<u32>) -> usize {
     let loops = &found.faces[f].loops;
     loops[..loops.len() - holes].iter().filter(|row| fixed.contains(&start(found, row))).count()
+}
+
+/// Cuts a face open from the first vertex of its loops from which the seam crosses neither of them; else from the first.
+fn cut_soundly(found: &mut Brep, f: usize, holes: usize, fixed: &mut BTreeSet<u32>) {
+    let loops = &found.faces[f].loops;
+    let turns = loops[..loops.len() - holes].iter().map(Vec::len).max().unwrap_or(0);
+    let cut_from = |turn: usize| {
+        let (mut tried, mut held) = (found.clone(), fixed.clone());
+        for row in &mut tried.faces[f].loops {
+            let first = turn % row.len().max(1);
+            row.rotate_left(first);
+        }
+        cut(&mut tried, f, holes, &mut held);
+        (tried, held)
+    };
+    let sound = |(tried, _): &(Brep, _)| {
+        let face = &tried.faces[f];
+        face.first != [0.0; 3] && sides(tried, face).is_some()
+    };
+    (*found, *fixed) = (0..turns).map(cut_from).find(sound).unwrap_or_else(|| cut_from(0));
 }
 
 /// Cuts a face open, unless both of its loops are settled: their vertices do not lie across from each other.

@@ -92,6 +92,19 @@ fn pipes_meet_in_splines_on_both_of_their_surfaces() {
 }
 
 #[test]
+fn a_side_of_a_shaft_with_one_of_its_two_loops_is_left_out() {
+    let found = patched(&stepped_shaft(), 60_000, 0.0);
+    let mut patches = found.patches.clone().unwrap();
+    let side = |p: &crate::Patch| matches!(p.fit.surface, Surface::Cylinder { .. }) && p.loops.len() == 2;
+    let open = patches.patches.iter().position(side).unwrap();
+    patches.patches[open].loops.pop();
+    let brep = brep(&found.network, &patches);
+    assert_eq!(brep.omitted, [(open as u32, Omission::Tangled)]);
+    assert_eq!(brep.faces.len() + 1, patches.patches.len());
+    assert!(brep.shells.iter().all(|s| !s.closed));
+}
+
+#[test]
 fn a_patch_with_a_gap_in_its_lines_is_left_out_and_the_shell_stays_open() {
     let part = cube(10.0).sample(&Scan::new(Sampling::Area { count: 15_000 }).seed(1));
     let mut params = crate::Params { method: crate::Method::Segments, ..Default::default() };

@@ -2,7 +2,7 @@
 
 use super::context::NetworkContext;
 use crate::write::encode::step::{Head, Id, List, Step, Text};
-use lineament::curve::pieces::{Piece, Shape};
+use lineament::curve::pieces::Shape;
 use lineament::math::vec3::{add_scaled, perpendicular};
 use lineament::{Network, Strip, StripKind};
 use std::f64::consts::TAU;
@@ -17,7 +17,6 @@ const WHOLE: f64 = TAU - 1e-9;
 /// Writes the typed curves of each strip, a polyline where it has none.
 pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkContext) -> io::Result<()> {
     let mut step = Step::begin(out, &head(context, rounding(network)))?;
-    let place = step.placement([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0])?;
     let mut sets: Vec<(StripKind, Id)> = Vec::new();
     for (number, strip) in network.strips.iter().enumerate() {
         let curves = curves(&mut step, strip)?;
@@ -31,11 +30,18 @@ pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkCon
         let of_kind: Vec<Id> = sets.iter().filter(|s| s.0 == kind).map(|s| s.1).collect();
         step.layer(&kind.name().to_uppercase(), &of_kind)?;
     }
-    let items: Vec<Id> = [place].into_iter().chain(sets.iter().map(|s| s.1)).collect();
+    let sets: Vec<Id> = sets.into_iter().map(|s| s.1).collect();
+    wireframe(step, &context.input_name, &sets)
+}
+
+/// Ends a file whose product consists of these sets of curves.
+pub(in crate::write) fn wireframe(mut step: Step, name: &str, sets: &[Id]) -> io::Result<()> {
+    let place = step.placement([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0])?;
+    let items: Vec<Id> = [place].iter().chain(sets).copied().collect();
     // A wireframe has at least one set of curves.
     let kind = if sets.is_empty() { "SHAPE" } else { "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE" };
     let (items, inside) = (List(&items), step.context);
-    let name = Text(&context.input_name);
+    let name = Text(name);
     let shape = step.add(format_args!("{kind}_REPRESENTATION({name},{items},#{inside})"))?;
     step.end(&[shape])
 }
@@ -53,37 +59,50 @@ pub(in crate::write) fn head(context: &NetworkContext, uncertainty: f64) -> Head
 
 /// What rounding leaves between places of a network: a share of its extent, and of its coordinates, which on maps are far greater.
 pub(in crate::write) fn rounding(network: &Network) -> f64 {
-    let Some([low, high]) = extent(network) else { return OF_EXTENT };
+    rounding_of(network.strips.iter().flat_map(|s| &s.points))
+}
+
+/// The same of any points.
+pub(in crate::write) fn rounding_of<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> f64 {
+    let none = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    let wider = |[low, high]: [[f64; 3]; 2], p: &[f64; 3]| {
+        [[0, 1, 2].map(|k| low[k].min(p[k])), [0, 1, 2].map(|k| high[k].max(p[k]))]
+    };
+    let [low, high] = points.fold(none, wider);
     let side = (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
+    if low[0] > high[0] {
+        return OF_EXTENT;
+    }
     let most = low.iter().chain(&high).fold(0.0, |most: f64, c| most.max(c.abs()));
     (OF_EXTENT * side + OF_COORDINATES * most).max(f64::MIN_POSITIVE)
 }
 
-/// Least and greatest corner of all points.
-fn extent(network: &Network) -> Option<[[f64; 3]; 2]> {
-    let points = || network.strips.iter().flat_map(|s| &s.points);
-    let first = *points().next()?;
-    let corner = |pick: fn(f64, f64) -> f64| {
-        points().fold(first, |a, p| [pick(a[0], p[0]), pick(a[1], p[1]), pick(a[2], p[2])])
-    };
-    Some([corner(f64::min), corner(f64::max)])
+fn curves(step: &mut Step, strip: &Strip) -> io::Result<Vec<Id>> {
+    let typed: Vec<_> = strip.curves.iter().map(|p| (p.shape.clone(), [p.from, p.to])).collect();
+    curves_of(step, &typed, &strip.points, strip.closed)
 }
 
-fn curves(step: &mut Step, strip: &Strip) -> io::Result<Vec<Id>> {
-    if strip.curves.is_empty() && strip.points.len() > 1 {
-        let closing = strip.points.first().filter(|_| strip.closed);
-        let points: Vec<[f64; 3]> = strip.points.iter().chain(closing).copied().collect();
+/// The typed curves of a line with their ends, or a polyline through its points where it has none.
+pub(in crate::write) fn curves_of(
+    step: &mut Step,
+    typed: &[(Shape, [[f64; 3]; 2])],
+    points: &[[f64; 3]],
+    closed: bool,
+) -> io::Result<Vec<Id>> {
+    if typed.is_empty() && points.len() > 1 {
+        let closing = points.first().filter(|_| closed);
+        let points: Vec<[f64; 3]> = points.iter().chain(closing).copied().collect();
         return Ok(vec![step.polyline("", &points)?]);
     }
-    strip.curves.iter().map(|p| curve(step, p)).collect()
+    typed.iter().map(|(shape, ends)| curve(step, shape, *ends)).collect()
 }
 
-fn curve(step: &mut Step, piece: &Piece) -> io::Result<Id> {
-    let name = piece.shape.name();
-    match &piece.shape {
-        Shape::Line => step.segment(name, [piece.from, piece.to]),
+fn curve(step: &mut Step, shape: &Shape, [from, to]: [[f64; 3]; 2]) -> io::Result<Id> {
+    let name = shape.name();
+    match shape {
+        Shape::Line => step.segment(name, [from, to]),
         Shape::Arc { round, sweep } => {
-            let circle = step.circle("", round, piece.from)?;
+            let circle = step.circle("", round, from)?;
             step.trimmed(name, circle, [0.0, *sweep])
         }
         Shape::Circle(round) => {
@@ -93,7 +112,7 @@ fn curve(step: &mut Step, piece: &Piece) -> io::Result<Id> {
         Shape::Ellipse { ellipse, sweep } => {
             let whole = *sweep >= WHOLE;
             let basis = step.ellipse(if whole { name } else { "" }, ellipse)?;
-            let first = ellipse.angle(piece.from).rem_euclid(TAU);
+            let first = ellipse.angle(from).rem_euclid(TAU);
             if whole { Ok(basis) } else { step.trimmed(name, basis, [first, first + sweep]) }
         }
         Shape::Spline(spline) => step.spline(name, spline),

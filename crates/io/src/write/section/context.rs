@@ -1,6 +1,7 @@
 //! Provenance of sections for their outputs.
 
 use crate::unit::Unit;
+use crate::write::encode::step::StepProtocol;
 use crate::write::network::context::NetworkContext;
 use lineament::section::Stack;
 
@@ -23,6 +24,8 @@ pub struct SectionContext {
     pub millimetres: Option<f64>,
     /// The unit of the coordinates, for the formats that state one; nothing is scaled by it.
     pub unit: Option<Unit>,
+    /// The application protocol of STEP.
+    pub step: StepProtocol,
     /// The features of the stack of slices; empty if they were not asked for.
     pub stack: Stack,
 }
