@@ -1,7 +1,7 @@
 //! Edges: the typed curves of a strip, moved onto the surfaces beside it.
 
 use super::vertex::{Vertices, axis, between, meet, off, radial, rounding};
-use super::{Brep, Edge};
+use super::{Brep, Edge, Face};
 use crate::curve::pieces::{Piece, Shape};
 use crate::curve::{BSpline, Round};
 use crate::math::vec3::{add_scaled, cross, distance, dot, norm, scale, sub, unit};
@@ -209,12 +209,15 @@ fn apart(found: &Brep, edge: &Edge, surface: &Surface) -> f64 {
     f64::max(on, met)
 }
 
+/// The greatest distance of the edges of a face from it.
+pub(super) fn gap_of(found: &Brep, face: &Face) -> f64 {
+    let edges = face.loops.iter().flatten().map(|e| &found.edges[e.0 as usize]);
+    edges.map(|edge| apart(found, edge, &face.surface)).fold(0.0, f64::max)
+}
+
 /// Each face with the greatest distance of its edges from it.
 fn gaps(found: &Brep) -> impl Iterator<Item = (u32, f64)> {
-    found.faces.iter().map(|face| {
-        let edges = face.loops.iter().flatten().map(|e| &found.edges[e.0 as usize]);
-        (face.patch, edges.map(|edge| apart(found, edge, &face.surface)).fold(0.0, f64::max))
-    })
+    found.faces.iter().map(|face| (face.patch, gap_of(found, face)))
 }
 
 /// The greatest gap of all faces.

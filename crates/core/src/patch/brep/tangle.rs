@@ -1,7 +1,7 @@
 //! Faces that their loops do not bound: loops that cross themselves or each other, go the wrong way round, or leave a side open. Other
 //! programs call such faces invalid, and cannot cut, join or mesh them.
 
-use super::edge::points;
+use super::edge::{gap_of, points};
 use super::unroll::{area, unrolled};
 use super::{Brep, Face};
 use crate::math::vec2;
@@ -28,11 +28,12 @@ pub(super) fn tangled(found: &mut Brep) -> BTreeSet<u32> {
     tangled
 }
 
-/// Whether the normal of a surface points outwards as its loops go; `None` if they bound nothing.
+/// Whether the normal of a surface points outwards as its loops go; `None` if they bound nothing. Edges may cross by as much as they lie off
+/// the surface: programs take places as near as that for one.
 pub(super) fn sides(found: &Brep, face: &Face) -> Option<bool> {
     let rows: Vec<Vec<[f64; 3]>> = face.loops.iter().map(|row| along(found, row)).collect();
     let flat = unrolled(face, &rows)?;
-    if crossed(&flat) {
+    if crossed(&flat, gap_of(found, face)) {
         return None;
     }
     // On a sphere every loop can be the outer one.
@@ -72,30 +73,34 @@ fn within(p: [f64; 2], row: &[[f64; 2]]) -> bool {
     row.windows(2).filter(passes).count() % 2 == 1
 }
 
-/// Whether any two pieces of the rows cross.
-fn crossed(rows: &[Row]) -> bool {
+/// Whether any two pieces of the rows cross by more than `near`.
+fn crossed(rows: &[Row], near: f64) -> bool {
     let mut pieces: Vec<[[f64; 2]; 2]> =
         rows.iter().flat_map(|row| row.windows(2)).map(|w| [w[0], w[1]]).collect();
     let least = |s: &[[f64; 2]; 2]| s[0][0].min(s[1][0]);
     pieces.sort_by(|a, b| least(a).total_cmp(&least(b)));
     (0..pieces.len()).any(|i| {
         let end = pieces[i][0][0].max(pieces[i][1][0]);
-        pieces[i + 1..].iter().take_while(|other| least(other) <= end).any(|&other| cross(pieces[i], other))
+        pieces[i + 1..]
+            .iter()
+            .take_while(|other| least(other) <= end)
+            .any(|&other| cross(pieces[i], other, near))
     })
 }
 
-/// Whether each of two pieces has its ends on both sides of the other, by more than rounding.
-fn cross(a: [[f64; 2]; 2], b: [[f64; 2]; 2]) -> bool {
-    parts(a, b) && parts(b, a)
+/// Whether each of two pieces has its ends on both sides of the other, by more than rounding and `near`.
+fn cross(a: [[f64; 2]; 2], b: [[f64; 2]; 2], near: f64) -> bool {
+    parts(a, b, near) && parts(b, a, near)
 }
 
-fn parts([a, b]: [[f64; 2]; 2], ends: [[f64; 2]; 2]) -> bool {
+fn parts([a, b]: [[f64; 2]; 2], ends: [[f64; 2]; 2], near: f64) -> bool {
     let along = vec2::sub(b, a);
+    let length = vec2::dot(along, along).sqrt();
     let side = |p: [f64; 2]| {
         let d = vec2::sub(p, a);
-        let reach = vec2::dot(d, d).max(vec2::dot(along, along)).sqrt() * vec2::dot(along, along).sqrt();
-        let sine = vec2::cross(along, d);
-        if sine.abs() <= IN_LINE * reach { 0.0 } else { sine.signum() }
+        let off = vec2::cross(along, d) / length;
+        let most = near + IN_LINE * vec2::dot(d, d).sqrt().max(length);
+        if off.abs() > most { off.signum() } else { 0.0 }
     };
     side(ends[0]) * side(ends[1]) < 0.0
 }
@@ -123,9 +128,10 @@ mod tests {
 
     #[test]
     fn loops_that_cross_are_told_from_those_that_touch() {
-        assert!(crossed(&[closed(&[[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 4.0]])]));
-        assert!(crossed(&[square(0.0, 4.0), square(3.0, 5.0)]));
-        assert!(!crossed(&[square(0.0, 4.0), square(4.0, 5.0)]));
-        assert!(!crossed(&[square(0.0, 4.0), square(1.0, 2.0)]));
+        assert!(crossed(&[closed(&[[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 4.0]])], 0.0));
+        assert!(crossed(&[square(0.0, 4.0), square(3.0, 5.0)], 0.0));
+        assert!(!crossed(&[square(0.0, 4.0), square(4.0, 5.0)], 0.0));
+        assert!(!crossed(&[square(0.0, 4.0), square(1.0, 2.0)], 0.0));
+        assert!(!crossed(&[square(0.0, 4.0), square(3.99, 5.0)], 0.02));
     }
 }
