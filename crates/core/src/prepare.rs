@@ -227,7 +227,7 @@ impl Prepared {
     }
 
     fn beyond_note(&self) -> Vec<String> {
-        let words = "numbers that stand for no value are left out, counted as not finite: f64 cannot hold the others beside them";
+        let words = "numbers that stand for no value: left out and counted as not finite, as f64 cannot hold the others beside them";
         (self.beyond > 0).then(|| format!("{} of the points hold {words}", self.beyond)).into_iter().collect()
     }
 
