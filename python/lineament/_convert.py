@@ -65,7 +65,7 @@ def to_ezdxf(network: Network) -> Any:
 def _columns(network: Network) -> dict[str, Any]:
     """What is known of each strip, a column each; NaN where a number is not."""
     return {
-        "kind": np.array([strip.kind for strip in network], dtype="U6"),
+        "kind": np.array([strip.kind for strip in network], dtype="U7"),
         "closed": np.array([strip.closed for strip in network], dtype=bool),
         "length": np.array([strip.length for strip in network], dtype=np.float64),
         "deviation": np.array([strip.deviation for strip in network], dtype=np.float64),

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, NamedTuple, cast
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, cast
 
 import numpy as np
 import numpy.typing as npt
 
 from lineament import _lineament
-from lineament._network import Network, Node, NodeKind, Path, Strip, StripKind
+from lineament._network import Network, Node, NodeKind, Path, Strip
 from lineament._points import as_points
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ class TruthNode:
 class TruthCurve:
     """One crease or border of a truth."""
 
-    kind: StripKind
+    kind: Literal["crease", "border"]
     closed: bool
     """Whether it is a loop without nodes. The first point is then not repeated at the end."""
     start: int | None

@@ -97,7 +97,7 @@ class RawNode(TypedDict):
 
 @type_check_only
 class RawStrip(TypedDict):
-    kind: Literal["crease", "border"]
+    kind: Literal["crease", "border", "rounded"]
     closed: bool
     start: int | None
     end: int | None
@@ -110,6 +110,8 @@ class RawStrip(TypedDict):
     fold_deg: float | None
     evidence: float | None
     confidence: float
+    radius: float | None
+    radius_sigma: float | None
 
 @type_check_only
 class RawNetwork(TypedDict):

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from lineament._lineament import RawNetwork, RawStrip
 
 Path: TypeAlias = "str | PathLike[str]"
-StripKind: TypeAlias = Literal["crease", "border"]
+StripKind: TypeAlias = Literal["crease", "border", "rounded"]
 NodeKind: TypeAlias = Literal["junction", "corner", "end", "apex"]
 
 
@@ -40,7 +40,8 @@ class Strip:
     """One feature line."""
 
     kind: StripKind
-    """``crease`` where two faces meet, ``border`` where the surface ends."""
+    """``crease`` where two faces meet, ``border`` where the surface ends, ``rounded`` where a round leads from face to face: then the
+    line lies on the design edge, where the faces would meet."""
     closed: bool
     """Whether the line is a loop without nodes. The first point is then not repeated at the end."""
     start: int | None
@@ -65,6 +66,10 @@ class Strip:
     """Mean evidence that the line is sharp rather than round, in variances of the noise; ``None`` if it is not measured."""
     confidence: float
     """Confidence in the line, from 0 (chance) to 1."""
+    radius: float | None = None
+    """Radius of the round of a rounded edge, in the unit of the input; ``None`` for other kinds."""
+    radius_sigma: float | None = None
+    """Its standard deviation."""
 
     @property
     def polyline(self) -> npt.NDArray[np.float64]:

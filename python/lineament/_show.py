@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 MOST_BYTES = 2_000_000
 """Greatest size of a drawing in a notebook, which is saved with it."""
 
+KINDS = {"crease": "creases", "border": "borders", "rounded": "rounded edges"}
+"""Kinds of strips and their plurals."""
+
 
 def drawing(network: Network, view: str) -> str:
     """A drawing of the network as SVG."""
@@ -25,9 +28,9 @@ def drawing(network: Network, view: str) -> str:
 
 def as_html(network: Network) -> str:
     """Counts, and a drawing unless it is large."""
-    lengths = {kind: sum(s.length for s in network if s.kind == kind) for kind in ("crease", "border")}
+    lengths = {kind: sum(s.length for s in network if s.kind == kind) for kind in KINDS}
     counts = {kind: sum(s.kind == kind for s in network) for kind in lengths}
-    told = ", ".join(f"{counts[kind]} {kind}s of {lengths[kind]:.6g} in all" for kind in lengths if counts[kind])
+    told = ", ".join(f"{counts[k]} {KINDS[k]} of {lengths[k]:.6g} in all" for k in lengths if counts[k])
     nodes = f"{len(network.nodes)} nodes"
     name = html.escape(network.provenance.name)
     text = f"<p><b>Network</b> of {name}: {told or 'no lines'}; {nodes}</p>"
@@ -46,7 +49,7 @@ def plot(network: Network, axes: Any) -> Any:
 
     if axes is None:
         axes = plt.figure().add_subplot(projection="3d")
-    for kind, color in (("crease", "C3"), ("border", "C0")):
+    for kind, color in (("crease", "C3"), ("border", "C0"), ("rounded", "C4")):
         for number, strip in enumerate(s for s in network if s.kind == kind):
             axes.plot(*strip.polyline.T, color=color, label=None if number else kind)
     if network.strips:

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use lineament::{Network, Node, NodeKind, Strip, StripKind};
+use lineament::{Blend, Network, Node, NodeKind, Strip, StripKind};
 use serde_json::Value;
 
 use crate::failure::{Code, Failure};
@@ -49,7 +49,8 @@ fn node(value: &Value) -> Result<Node, String> {
 }
 
 fn strip(value: &Value) -> Result<Strip, String> {
-    let kind = [StripKind::Crease, StripKind::Border].into_iter().find(|kind| value["kind"] == kind.name());
+    let kinds = [StripKind::Crease, StripKind::Border, StripKind::Rounded];
+    let kind = kinds.into_iter().find(|kind| value["kind"] == kind.name());
     let kind = kind.ok_or_else(|| format!("kind: {} is no kind of strip", value["kind"]))?;
     let points = value["points"].as_array().and_then(|list| list.iter().map(point).collect());
     let index = |key: &str| value[key].as_u64().and_then(|i| u32::try_from(i).ok());
@@ -67,6 +68,10 @@ fn strip(value: &Value) -> Result<Strip, String> {
         deviation: 0.0,
         confidence: value["confidence"].as_f64().unwrap_or(0.0),
         sigma: Vec::new(),
+        blend: value["radius"].as_f64().map(|radius| {
+            let sigma = value["radius_sigma"].as_f64().unwrap_or(0.0);
+            Blend { radius, sigma }
+        }),
     })
 }
 

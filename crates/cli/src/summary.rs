@@ -167,6 +167,10 @@ fn counts(network: &Network) -> String {
         format!("{}{loops}", plural(of_kind.count(), StripKind::name(kind)))
     };
     let mut parts = vec![strips(StripKind::Crease), strips(StripKind::Border)];
+    let rounded = network.strips.iter().filter(|s| s.kind == StripKind::Rounded).count();
+    if rounded > 0 {
+        parts.push(plural(rounded, "rounded edge"));
+    }
     for kind in [NodeKind::Junction, NodeKind::Corner, NodeKind::End] {
         parts.push(plural(network.count(kind), kind.name()));
     }

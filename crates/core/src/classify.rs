@@ -70,6 +70,7 @@ fn segments(strip: &Strip, scales: Scales) -> impl Iterator<Item = Segment> {
     let class = match strip.kind {
         StripKind::Crease => Class::Crease,
         StripKind::Border => Class::Border,
+        StripKind::Rounded => Class::Smooth,
     };
     let reach = ON_LINE * scales.widest(&strip.sources);
     let closing = strip.closed.then(|| [strip.points[strip.points.len() - 1], strip.points[0]]);
@@ -87,7 +88,7 @@ struct Lines {
 impl Lines {
     fn new(network: &Network, scales: Scales) -> Lines {
         let (mut all, mut rows) = (Vec::new(), Vec::new());
-        for strip in &network.strips {
+        for strip in network.strips.iter().filter(|s| s.kind != StripKind::Rounded) {
             let first = all.len();
             all.extend(segments(strip, scales));
             rows.extend((first..all.len()).step_by(ROW).map(|row| row..(row + ROW).min(all.len())));
@@ -135,6 +136,7 @@ mod tests {
             deviation: 0.0,
             confidence: 1.0,
             sigma: Vec::new(),
+            blend: None,
             curves: Vec::new(),
         }
     }
@@ -155,6 +157,7 @@ mod tests {
             network.strips.iter().find(of).map_or(Class::Smooth, |s| match s.kind {
                 StripKind::Crease => Class::Crease,
                 StripKind::Border => Class::Border,
+                StripKind::Rounded => Class::Smooth,
             })
         };
         assert_eq!(classes(&points, &network, unit.into()), points.iter().map(near).collect::<Vec<_>>());

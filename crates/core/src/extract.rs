@@ -106,6 +106,7 @@ fn pipeline(
     let related = clock.run(Stage::Relations, || method::related(&cloud, &mut network, params));
     let stages = staged.then(|| method::stages(&cloud, &measure, &pattern, params)).flatten();
     let class = measure.class.clone().unwrap_or_else(|| classes(&cloud.positions, &network, cloud.scales()));
+    method::round_off(&cloud, &mut network, &pattern, params);
     let mut report = cloud.report();
     report.stages = clock.stages;
     report.settings = method::settings(&cloud, params);

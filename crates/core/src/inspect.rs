@@ -27,6 +27,7 @@ pub struct Inspection {
 /// The list of a network. `points` are those on surfaces, `(N, 3)` f64, world frame, finite, which tell a hole from a boss; `spacing` is
 /// theirs. Without points circles have no name.
 pub fn inspect(network: &Network, points: &[[f64; 3]], spacing: f64) -> Inspection {
+    let network = &network.on_surface();
     let sides = rims(&network.strips, points, spacing);
     Inspection { rounds: round::rounds(network, &sides, spacing), edges: edges::edges(network) }
 }

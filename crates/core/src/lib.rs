@@ -123,7 +123,7 @@ pub use math::tensor::Ellipsoid;
 pub use measure::{Class, Direction, Evidence, Measure, Penalties, Row};
 pub use method::ClusterStages;
 pub use neighbors::Neighbors;
-pub use network::{Network, Node, NodeKind, Strip, StripKind};
+pub use network::{Blend, Network, Node, NodeKind, Strip, StripKind};
 pub use params::{Entry, Method, Params};
 pub use patch::{Patch, Patches};
 pub use pattern::{LineGraph, Pattern};

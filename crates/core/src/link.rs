@@ -4,6 +4,7 @@
 //! both call in their robust forms, `beside`, `flat`, `chains`, `handles`, `triples` and `passing`.
 
 mod beside;
+mod blends;
 mod chains;
 pub(crate) mod clusters;
 mod flat;

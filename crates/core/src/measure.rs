@@ -24,6 +24,8 @@ pub struct Measure {
     pub border: Penalties,
     /// Short pieces of crease, found across the points rather than at them; empty from a detector that judges points alone.
     pub edgelets: Vec<Edgelet>,
+    /// Short pieces of the design edges of blends.
+    pub blends: Vec<Edgelet>,
     /// Places at which a cross-section shows one smooth face alone; empty from such a detector.
     pub flat: Vec<[f64; 3]>,
 }
@@ -47,6 +49,8 @@ pub struct Edgelet {
     pub evidence: f64,
     /// Length along the crease of the points that it rests on: edgelets nearer to each other share points.
     pub reach: f64,
+    /// Radius of the round between the faces, whose design edge this is; 0 where they meet.
+    pub radius: f64,
 }
 
 impl Edgelet {
@@ -54,6 +58,11 @@ impl Edgelet {
     pub fn turn(&self) -> f64 {
         let [a, b] = self.arms;
         (-dot(a, b).clamp(-1.0, 1.0)).acos()
+    }
+
+    /// The distance from the design edge to where the round touches the faces.
+    pub fn tangent(&self) -> f64 {
+        self.radius * (0.5 * self.turn()).tan()
     }
 }
 

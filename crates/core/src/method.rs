@@ -16,7 +16,8 @@ use crate::patch::{self, Ground, Patches};
 use crate::pattern::Pattern;
 use crate::prepare::Prepared;
 use crate::recover::{
-    LED_ON, SPANNING, close_rings, meet, observe, recover, refit, settle_ends, sharpen, take_back,
+    LED_ON, SPANNING, append_rounded, close_rings, meet, observe, recover, refit, settle_ends, sharpen,
+    take_back,
 };
 use crate::relation::{Related, related as relations};
 use crate::stages::{self, Stages};
@@ -36,8 +37,8 @@ pub(crate) fn detect(cloud: &Prepared, params: &Params) -> Measure {
         Method::Auto => {
             let mut measure = penalty::penalty(positions, graph, cloud.scales(), &params.penalty);
             if params.penalty.form == PenaltyForm::Robust {
-                (measure.edgelets, measure.flat) =
-                    edgelets(positions, &measure.normal, cloud.scales(), &params.edgelets);
+                let found = edgelets(positions, &measure.normal, cloud.scales(), &params.edgelets);
+                (measure.edgelets, measure.flat, measure.blends) = (found.edgelets, found.flat, found.blends);
             }
             measure
         }
@@ -119,6 +120,11 @@ pub(crate) fn recovered(cloud: &Prepared, measure: &Measure, pattern: &Pattern, 
     sharpen(&mut network, &ground, &params.recover, &params.spline);
     refit(&mut network, positions, graph, cloud.scales());
     network
+}
+
+/// Adds the rounded edges to a network, which no other stage reads.
+pub(crate) fn round_off(cloud: &Prepared, network: &mut Network, pattern: &Pattern, params: &Params) {
+    append_rounded(network, pattern, cloud.scales(), &params.spline);
 }
 
 /// The steps to a pattern and on from it for viewers; `None` of `auto`, and of `segments`, which keeps its own.

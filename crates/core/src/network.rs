@@ -3,7 +3,7 @@
 mod strip;
 mod trace;
 
-pub use strip::{Strip, StripKind};
+pub use strip::{Blend, Strip, StripKind};
 pub(crate) use trace::{Trace, trace};
 
 /// A feature network: strips that run from node to node, and closed strips without any.
@@ -101,6 +101,19 @@ impl Network {
             *end = end.map(|n| number[n as usize]);
         }
         nodes
+    }
+
+    /// The network of the lines on the surface, without rounded edges: these stand last, so that the numbers of the strips and nodes left are
+    /// the same.
+    pub fn on_surface(&self) -> Network {
+        let mut network = self.clone();
+        network.strips.retain(|s| s.kind != StripKind::Rounded);
+        let used = network.strips.iter().flat_map(|s| [s.start, s.end]).flatten().map(|n| n as usize + 1);
+        let apexes =
+            network.nodes.iter().enumerate().filter(|(_, n)| n.kind == NodeKind::Apex).map(|(k, _)| k + 1);
+        let count = used.chain(apexes).max().unwrap_or(0);
+        network.nodes.truncate(count);
+        network
     }
 
     /// The number of closed strips.

@@ -54,6 +54,18 @@ pub(crate) fn recover<'a>(
     network
 }
 
+/// Adds the rounded edges of a pattern to a network, after all other strips.
+pub(crate) fn append_rounded<'a>(
+    network: &mut Network,
+    pattern: &Pattern,
+    scales: impl Into<Scales<'a>>,
+    params: &SplineParams,
+) {
+    let (lines, scales) = (&pattern.rounded, scales.into());
+    let meeting = nodes::meet(lines, paths(lines), scales, LED_ON);
+    append(network, StripKind::Rounded, lines, meeting, scales, params);
+}
+
 fn append(
     network: &mut Network,
     kind: StripKind,

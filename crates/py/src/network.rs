@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use lineament::curve::BSpline;
-use lineament::{Network, Node, NodeKind, Strip, StripKind};
+use lineament::{Blend, Network, Node, NodeKind, Strip, StripKind};
 use lineament_io::{NetworkFormat, write_network as write, write_network_to};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -43,6 +43,8 @@ struct StripOut<'py> {
     fold_deg: Option<f64>,
     evidence: Option<f64>,
     confidence: f64,
+    radius: Option<f64>,
+    radius_sigma: Option<f64>,
 }
 
 /// The network for Python.
@@ -72,6 +74,8 @@ fn strip<'py>(py: Python<'py>, strip: &Strip) -> PyResult<StripOut<'py>> {
         fold_deg: strip.fold_deg,
         evidence: strip.evidence,
         confidence: strip.confidence,
+        radius: strip.blend.map(|b| b.radius),
+        radius_sigma: strip.blend.map(|b| b.sigma),
     })
 }
 
@@ -104,6 +108,8 @@ struct StripIn<'py> {
     fold_deg: Option<f64>,
     evidence: Option<f64>,
     confidence: f64,
+    radius: Option<f64>,
+    radius_sigma: Option<f64>,
 }
 
 /// The kind of this name; an apex if there is none.
@@ -114,7 +120,8 @@ pub fn node_kind(name: &str) -> NodeKind {
 
 /// The kind of this name; a crease if there is none.
 pub fn strip_kind(name: &str) -> StripKind {
-    if name == StripKind::Border.name() { StripKind::Border } else { StripKind::Crease }
+    let kinds = [StripKind::Border, StripKind::Rounded];
+    kinds.into_iter().find(|kind| kind.name() == name).unwrap_or(StripKind::Crease)
 }
 
 impl NetworkIn<'_> {
@@ -151,6 +158,7 @@ impl StripIn<'_> {
             evidence: self.evidence,
             confidence: self.confidence,
             sigma: Vec::new(),
+            blend: self.radius.map(|radius| Blend { radius, sigma: self.radius_sigma.unwrap_or(0.0) }),
         })
     }
 }

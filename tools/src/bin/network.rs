@@ -31,6 +31,7 @@ fn network(points: usize) -> Network {
     };
     let strip = |kind, ends: Option<(u32, u32)>, points: Vec<[f64; 3]>| Strip {
         sigma: Vec::new(),
+        blend: None,
         kind,
         closed: ends.is_none(),
         start: ends.map(|e| e.0),

@@ -59,6 +59,7 @@ pub(super) fn along_lines(terrain: &Terrain, found: &Extraction, step: f64) -> V
         let kind = match strip.kind {
             StripKind::Crease => Class::Crease,
             StripKind::Border => Class::Border,
+            StripKind::Rounded => continue,
         };
         let nearest = nearest_sources(local, terrain);
         let places = places(local, &arcs(local, &nearest, terrain.scales()), step);

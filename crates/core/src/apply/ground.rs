@@ -62,5 +62,5 @@ fn local(found: &Extraction) -> Network {
         curves: Vec::new(),
         ..strip.clone()
     };
-    Network { nodes: Vec::new(), strips: found.network.strips.iter().map(strip).collect() }
+    Network { nodes: Vec::new(), strips: found.network.on_surface().strips.iter().map(strip).collect() }
 }

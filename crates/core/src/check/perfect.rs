@@ -42,5 +42,6 @@ pub(crate) fn strip(curve: &TruthCurve) -> Strip {
         deviation: 0.0,
         confidence: 1.0,
         sigma: Vec::new(),
+        blend: None,
     }
 }

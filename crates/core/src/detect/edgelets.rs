@@ -7,6 +7,7 @@
 //! angle, `gaps` those that one of the two does not reach, `steps` the ends of parallel ones that face each other; `flat` tells
 //! the sections of a face alone, `round` those of a pipe. `distinct` keeps the places that several cross-sections agree on.
 
+mod blends;
 mod corners;
 mod distinct;
 mod field;
@@ -47,6 +48,17 @@ enum Seen {
     Flat([f64; 3]),
 }
 
+/// What cross-sections show, local frame.
+#[derive(Debug, Default)]
+pub(crate) struct Found {
+    /// Pieces of creases.
+    pub(crate) edgelets: Vec<Edgelet>,
+    /// The points at which a cross-section shows no crease.
+    pub(crate) flat: Vec<[f64; 3]>,
+    /// Pieces of the design edges of blends.
+    pub(crate) blends: Vec<Edgelet>,
+}
+
 #[derive(Default)]
 struct Scratch {
     corners: Vec<Weighted>,
@@ -62,7 +74,7 @@ pub(crate) fn edgelets(
     normals: &[[f32; 3]],
     scales: Scales,
     params: &EdgeletParams,
-) -> (Vec<Edgelet>, Vec<[f64; 3]>) {
+) -> Found {
     let noisy = scales.mean.noise > params.noise_spacings * scales.mean.spacing;
     if noisy || normals.len() != points.len() {
         return Default::default();
@@ -90,7 +102,8 @@ pub(crate) fn edgelets(
             Seen::Flat(place) => flat.push(place),
         }
     }
-    (distinct::distinct(&corners, &index, params.agree), flat)
+    let edgelets = distinct::distinct(&corners, &index, params.agree);
+    Found { edgelets, flat, blends: blends::blends(&field) }
 }
 
 /// Points at folds, in canonical order, none near an earlier one.

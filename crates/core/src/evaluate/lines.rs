@@ -97,12 +97,15 @@ impl From<StripKind> for LineKind {
         match kind {
             StripKind::Crease => LineKind::Crease,
             StripKind::Border => LineKind::Border,
+            StripKind::Rounded => LineKind::Weak,
         }
     }
 }
 
 impl From<&Network> for Lines {
     fn from(network: &Network) -> Self {
+        let rounded = network.strips.iter().filter_map(rounded).collect();
+        let network = &network.on_surface();
         let strips = network.strips.iter().filter(|s| s.points.len() > 1);
         let line = |s: &Strip| Line { kind: s.kind.into(), closed: s.closed, points: s.points.clone() };
         let junctions = network.nodes.iter().filter(|n| n.kind == NodeKind::Junction);
@@ -110,9 +113,16 @@ impl From<&Network> for Lines {
             lines: strips.clone().map(line).collect(),
             curves: strips.flat_map(curves).collect(),
             junctions: Some(junctions.map(|n| n.position).collect()),
-            rounded: Vec::new(),
+            rounded,
         }
     }
+}
+
+/// A strip as a rounded edge; `None` of another kind.
+fn rounded(strip: &Strip) -> Option<RoundedEdge> {
+    let radius = strip.blend?.radius;
+    let turn_deg = strip.fold_deg.unwrap_or(0.0);
+    Some(RoundedEdge { radius, turn_deg, closed: strip.closed, points: strip.points.clone() })
 }
 
 /// The typed curves of a strip; without any it is a spline.

@@ -73,6 +73,7 @@ fn strip_of(radius: f64, [begin, end]: [f64; 2], sigma: f64) -> Strip {
         deviation: 0.0,
         confidence: 1.0,
         sigma: Vec::new(),
+        blend: None,
     }
 }
 

@@ -16,7 +16,7 @@ const PIECES: f64 = 256.0;
 
 /// Removes each border with two loose ends all of which runs along creases, once these are whole.
 pub(crate) fn unborder(pattern: &mut Pattern, scales: Scales) {
-    let Pattern { crease, border } = pattern;
+    let Pattern { crease, border, .. } = pattern;
     let index = Index::build(&places(crease, scales));
     let gap = |border: &LineGraph, v: u32| {
         let mut found = Vec::new();
@@ -69,7 +69,7 @@ mod tests {
     fn left(aside: f64, length: u32) -> usize {
         let mut crease = line([0.0; 3], 1);
         crease.positions[1] = [20.0, 0.0, 0.0];
-        let mut pattern = Pattern { crease, border: line([5.3, aside, 0.0], length) };
+        let mut pattern = Pattern { crease, border: line([5.3, aside, 0.0], length), ..Pattern::default() };
         unborder(&mut pattern, Resolution { spacing: 1.0, noise: 0.0 }.into());
         pattern.border.edge_count()
     }

@@ -13,6 +13,7 @@ mod folds;
 mod graph;
 mod join;
 mod meet;
+mod onward;
 mod overlay;
 mod rings;
 mod samples;
@@ -21,6 +22,7 @@ pub(crate) use folds::Known;
 pub(super) use folds::lay;
 
 use crate::measure::Edgelet;
+use crate::neighbors::Index;
 use crate::pattern::LineGraph;
 use crate::surface::Scales;
 
@@ -49,6 +51,26 @@ pub(super) fn chains(
     let mut graph = graph::Graph::new(&chains);
     meet::meet(&mut graph);
     overlay::overlay(graph, &strips, &closed, scales)
+}
+
+/// The design edges of blends that are at least `length` spacings long and show the `evidence`, and their edgelets.
+pub(super) fn rounded(
+    blends: &[Edgelet],
+    length: f64,
+    evidence: f64,
+    points: &[[f64; 3]],
+    scales: Scales,
+) -> (LineGraph, Vec<Edgelet>) {
+    let mut chains = join::join(blends);
+    chains.retain(|c| c.longest >= SHORT);
+    let mut chains = close::close(chains);
+    chains.retain(|c| c.extent() >= length * c.members[0].spacing && c.evidence() >= evidence);
+    let mut chains = double::remove(&chains);
+    onward::lead(&mut chains, points, &Index::build(points), scales);
+    let mut graph = graph::Graph::new(&chains);
+    let edgelets = chains.into_iter().flat_map(|c| c.members).collect();
+    meet::meet(&mut graph);
+    (graph.lines, edgelets)
 }
 
 #[cfg(test)]

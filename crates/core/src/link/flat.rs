@@ -80,6 +80,7 @@ mod tests {
             deviation: 0.1,
             evidence: 100.0,
             reach: 9.0,
+            radius: 0.0,
         };
         let flat: Vec<[f64; 3]> = (3..=7).map(|x| [f64::from(x), 0.6, 0.0]).collect();
         let left = |flat: &[[f64; 3]], edgelets: &[Edgelet]| {

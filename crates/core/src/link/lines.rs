@@ -1,6 +1,7 @@
 //! The crease and border patterns (Gumhold 2001, sections 3.2 and 3.3), repaired in the robust form.
 
-use super::chains::{Known, chains, lay};
+use super::blends;
+use super::chains::{Known, chains, lay, rounded};
 use super::flat;
 use super::handles;
 use super::passing;
@@ -17,6 +18,9 @@ use crate::surface::Scales;
 /// Greatest graph distance between border candidates that an edge may join, in the robust form. Only the outermost row of
 /// points lies on a border, and successive points of this row are often not direct neighbours in the graph.
 const ROBUST_BORDER_HOPS: usize = 2;
+
+/// Least length of a rounded edge, spacings, and the least evidence that it is one.
+const BLEND: (f64, f64) = (4.0, 4.0);
 
 /// Links the candidates of both kinds into a pattern.
 pub(crate) fn link(
@@ -36,6 +40,7 @@ pub(crate) fn link(
     let mut pattern = Pattern {
         crease: lines(spanning.creases, StripKind::Crease, &measure.crease),
         border: lines(spanning.borders, StripKind::Border, &measure.border),
+        rounded: LineGraph::default(),
     };
     match rule.form {
         PenaltyForm::Paper => {}
@@ -49,6 +54,11 @@ pub(crate) fn link(
                 handles::remove(&mut pattern.crease, scales);
                 triples::gather(&mut pattern.crease, scales);
                 passing::unmark(&mut pattern.crease, scales);
+            }
+            if spanning.creases && !measure.blends.is_empty() {
+                let (lines, blends) = rounded(&measure.blends, BLEND.0, BLEND.1, known.points, scales);
+                blends::remove(&mut pattern.crease, &blends);
+                pattern.rounded = lines;
             }
             if spanning.creases && !known.folds.is_empty() {
                 pattern.crease = lay(std::mem::take(&mut pattern.crease), known, scales);

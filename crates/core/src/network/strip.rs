@@ -8,7 +8,7 @@ use crate::math::vec3::distance;
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Strip {
-    /// Crease or border.
+    /// Crease, border or rounded edge.
     pub kind: StripKind,
     /// Whether the line is a loop without nodes. The first point is then not repeated at the end.
     pub closed: bool,
@@ -36,9 +36,21 @@ pub struct Strip {
     /// `(M, 3)` standard deviation of each of `points` on each axis, in the unit of the input, from the fits of the faces that meet there;
     /// empty where the crease was not recovered from these.
     pub sigma: Vec<[f64; 3]>,
+    /// The round of a rounded edge; `None` for other kinds.
+    pub blend: Option<Blend>,
 }
 
-/// The kind of a strip: crease or border.
+/// The round between the faces of a rounded edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Blend {
+    /// Radius across the edge, in the unit of the input.
+    pub radius: f64,
+    /// Its standard deviation.
+    pub sigma: f64,
+}
+
+/// The kind of a strip: crease, border or rounded edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum StripKind {
@@ -46,14 +58,17 @@ pub enum StripKind {
     Crease,
     /// The surface ends.
     Border,
+    /// A blend leads from one face to the other; the line lies on the design edge, where the faces would meet.
+    Rounded,
 }
 
 impl StripKind {
-    /// The name in files: `crease` or `border`.
+    /// The name in files: `crease`, `border` or `rounded`.
     pub fn name(self) -> &'static str {
         match self {
             StripKind::Crease => "crease",
             StripKind::Border => "border",
+            StripKind::Rounded => "rounded",
         }
     }
 }

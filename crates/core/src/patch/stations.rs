@@ -162,6 +162,7 @@ mod tests {
             curves: Vec::new(),
             confidence: 1.0,
             sigma: Vec::new(),
+            blend: None,
         }
     }
 

@@ -16,6 +16,8 @@ pub struct LineGraph {
     pub corner: Vec<f32>,
     /// `(V)` evidence of the cross-sections at all points of the vertex; `None` where none was taken.
     pub evidence: Vec<Option<Evidence>>,
+    /// `(V)` radius of the round whose design edge each vertex lies on; 0 on lines of other kinds.
+    pub radius: Vec<f32>,
     /// `(V)` neighbours of each vertex in the graph, ascending.
     pub edges: Vec<Vec<u32>>,
     /// Vertices that are nodes though only two edges meet in them: corners, and places where the other pattern ends.
@@ -55,6 +57,7 @@ impl LineGraph {
         self.penalty.push(penalty);
         self.corner.push(corner);
         self.evidence.push(None);
+        self.radius.push(0.0);
         self.edges.push(Vec::new());
         (self.edges.len() - 1) as u32
     }

@@ -3,7 +3,7 @@
 use crate::curve::pieces::{Noise, Piece, pieces};
 use crate::curve::{BSpline, FitOptions, fit};
 use crate::math::vec3::{distance, distance2};
-use crate::network::{Node, Strip, StripKind};
+use crate::network::{Blend, Node, Strip, StripKind};
 use crate::params::SplineParams;
 use crate::pattern::{LineGraph, Path};
 use crate::resolution::Resolution;
@@ -62,7 +62,17 @@ pub(super) fn strip(
         deviation: laid.deviation,
         confidence: confidence(kind, lines, path),
         sigma: Vec::new(),
+        blend: (kind == StripKind::Rounded).then(|| blend(lines, path)),
     }
+}
+
+/// The mean radius along a path, with the standard deviation of that mean.
+fn blend(lines: &LineGraph, path: &Path) -> Blend {
+    let radii = || path.vertices.iter().map(|&v| f64::from(lines.radius[v as usize]));
+    let count = path.vertices.len() as f64;
+    let radius = radii().sum::<f64>() / count;
+    let square = radii().map(|r| (r - radius).powi(2)).sum::<f64>() / (count - 1.0).max(1.0);
+    Blend { radius, sigma: (square / count).sqrt() }
 }
 
 /// The confidence in a line: one minus its mean penalty. Along a border that is the share of a turn that is open (Gumhold 2001,

@@ -3,7 +3,7 @@
 use super::tidy::settle;
 use crate::frame::{Frame, on_grid};
 use crate::math::vec3::scale;
-use crate::network::{Network, Strip};
+use crate::network::{Blend, Network, Strip};
 
 /// The network with positions in the world frame and sources as indices of the input; and whether each strip stays, as rounding
 /// far from the origin can be too coarse for a short line. An `exact` network is not rounded to the grid of results: relations hold
@@ -20,6 +20,7 @@ pub fn to_world(mut network: Network, frame: &Frame, source: &[u32], exact: bool
         place_points(strip, placed, unit);
         strip.curve = strip.curve.mapped(placed, unit);
         strip.deviation *= unit;
+        strip.blend = strip.blend.map(|b| Blend { radius: b.radius * unit, sigma: b.sigma * unit });
         let last = strip.points.len() - usize::from(!strip.closed);
         for piece in &mut strip.curves {
             piece.place(placed, unit);

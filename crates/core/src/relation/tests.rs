@@ -70,6 +70,7 @@ fn strip([a, b]: [usize; 2], drawn: &[[f64; 3]]) -> Strip {
         evidence: None,
         confidence: 1.0,
         sigma: Vec::new(),
+        blend: None,
     }
 }
 

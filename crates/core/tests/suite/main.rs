@@ -11,6 +11,7 @@ mod narrow_faces;
 mod projection;
 mod recovery;
 mod relations;
+mod rounded_edges;
 mod scales;
 mod scanned;
 mod section_axis;

@@ -44,6 +44,7 @@ fn strips(counts: impl Iterator<Item = usize>) -> Network {
         deviation: 0.0,
         confidence: 1.0,
         sigma: Vec::new(),
+        blend: None,
     };
     Network { nodes: Vec::new(), strips: counts.map(strip).collect() }
 }

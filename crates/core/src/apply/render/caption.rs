@@ -35,8 +35,11 @@ fn entries(scene: &Scene, settings: &Settings) -> Vec<(String, Option<Colour>)> 
         entries.push((counted(points, "point"), None));
     }
     if let Some(network) = scene.network {
-        for kind in [StripKind::Crease, StripKind::Border] {
+        for kind in [StripKind::Crease, StripKind::Border, StripKind::Rounded] {
             let count = network.strips.iter().filter(|s| s.kind == kind).count();
+            if kind == StripKind::Rounded && count == 0 {
+                continue;
+            }
             let swatch = (settings.color == Color::Kind).then(|| strip_colour(kind));
             entries.push((counted(count, kind.name()), swatch));
         }

@@ -38,7 +38,7 @@ const STEPS: usize = 5;
 pub(super) fn strips<'a>(network: &'a Network, settings: &Settings) -> Vec<Group<'a>> {
     let drawn = settings.style == Style::Lines;
     let mut groups = Vec::new();
-    for kind in [StripKind::Border, StripKind::Crease] {
+    for kind in [StripKind::Rounded, StripKind::Border, StripKind::Crease] {
         let width = if drawn && kind == StripKind::Border { BORDER_WIDTH } else { 1.0 };
         let steps = if settings.color == Color::Confidence { STEPS } else { 1 };
         groups.extend((0..steps).map(|step| {

@@ -36,6 +36,7 @@ pub(super) fn strip_colour(kind: StripKind) -> Colour {
     match kind {
         StripKind::Crease => [0.80, 0.20, 0.02],
         StripKind::Border => [0.00, 0.36, 0.72],
+        StripKind::Rounded => [0.55, 0.30, 0.62],
     }
 }
 

@@ -136,6 +136,7 @@ fn corner(section: &Section, p: [f64; 2], pieces: [&Piece; 2], evidence: f64) ->
         deviation: 0.0,
         evidence,
         reach: section.stations as f64 * section.unit,
+        radius: 0.0,
     };
     let deviation = (one.hypot(other) / edgelet.turn().sin().abs().max(OBLIQUE)).max(EXACT);
     edgelet.deviation = deviation * section.unit;

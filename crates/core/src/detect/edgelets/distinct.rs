@@ -55,14 +55,20 @@ fn likes(all: &[Weighted], index: &Index, e: &Edgelet, out: &mut Vec<(u32, f64, 
     out.sort_unstable_by_key(|o| o.0);
 }
 
-/// `e` moved across to the weighted mean of its like, with the mean of their evidence.
+/// `e` moved across to the weighted mean of its like, with the mean of their evidence and radius.
 fn mean(all: &[Weighted], e: &Edgelet, like: &[(u32, f64, [f64; 3])]) -> Edgelet {
-    let (mut offset, mut evidence, mut weights) = ([0.0; 3], 0.0, 0.0);
+    let (mut offset, mut evidence, mut radius, mut weights) = ([0.0; 3], 0.0, 0.0, 0.0);
     for &(j, _, across) in like {
         let Weighted { edgelet, weight } = &all[j as usize];
         offset = add_scaled(offset, across, *weight);
         evidence += weight * edgelet.evidence;
+        radius += weight * edgelet.radius;
         weights += weight;
     }
-    Edgelet { place: add(e.place, scale(offset, 1.0 / weights)), evidence: evidence / weights, ..*e }
+    Edgelet {
+        place: add(e.place, scale(offset, 1.0 / weights)),
+        evidence: evidence / weights,
+        radius: radius / weights,
+        ..*e
+    }
 }

@@ -2,6 +2,7 @@
 
 use super::field::Field;
 use crate::math::vec3::{add_scaled, cross, dot, norm, scale, sub, unit};
+use crate::resolution::Resolution;
 
 /// Half the width of a section, in spacings.
 pub(super) const WIDE: f64 = 4.2;
@@ -21,6 +22,30 @@ const CERTAIN: (f64, f64) = (0.3, 0.8);
 const FEW: usize = 20;
 /// Least part of a point's normal that lies in the plane of the section.
 const UPRIGHT: f64 = 0.7;
+
+/// How far a section reaches, in spacings.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reach {
+    /// Half its width.
+    wide: f64,
+    /// Stations on either side of the seed where the line turns.
+    bent: usize,
+    /// The same where it is nearly straight.
+    straight: usize,
+}
+
+impl Reach {
+    /// That of a section in which creases are looked for, at a noise in spacings.
+    pub(super) fn narrow(noise: f64) -> Reach {
+        let stations = |(fewest, noisy, most): (f64, f64, f64)| (fewest + noisy * noise).min(most) as usize;
+        Reach { wide: WIDE, bent: stations(STATIONS), straight: stations(STRAIGHT) }
+    }
+
+    /// A reach of its own.
+    pub(super) fn of(wide: f64, stations: usize) -> Reach {
+        Reach { wide, bent: stations, straight: stations }
+    }
+}
 
 /// A point across the line, in spacings: as measured, at its place on the surface, and its normal.
 #[derive(Clone, Copy, Debug)]
@@ -55,6 +80,12 @@ struct Station {
 impl Section {
     /// Takes the section at a point; false where the field has no direction, or where it comes to a crowded place.
     pub(super) fn take(&mut self, field: &Field, seed: usize) -> bool {
+        let Resolution { spacing, noise } = field.scales.at(seed);
+        self.take_within(field, seed, Reach::narrow(noise / spacing))
+    }
+
+    /// As [`Section::take`], of another reach.
+    pub(super) fn take_within(&mut self, field: &Field, seed: usize, reach: Reach) -> bool {
         let Some((along, _)) = field.along(seed) else { return false };
         let resolution = field.scales.at(seed);
         let normal = field.normal(seed);
@@ -67,24 +98,22 @@ impl Section {
         self.noise = resolution.noise / resolution.spacing;
         self.points.clear();
         self.stations = 1;
-        if !self.pool(field, &start) {
+        if !self.pool(field, &start, reach.wide) {
             return false;
         }
-        let around = self.follow(field, &start, -1.0) && self.follow(field, &start, 1.0);
+        let around = self.follow(field, &start, -1.0, reach) && self.follow(field, &start, 1.0, reach);
         around && self.points.len() >= FEW
     }
 
     /// Adds the points beside the stations on one side of the seed; false where it comes to a crowded place.
-    fn follow(&mut self, field: &Field, start: &Station, sign: f64) -> bool {
-        let reach = |(fewest, noisy, most): (f64, f64, f64)| (fewest + noisy * self.noise).min(most) as usize;
-        let (bent, straight) = (reach(STATIONS), reach(STRAIGHT));
+    fn follow(&mut self, field: &Field, start: &Station, sign: f64, reach: Reach) -> bool {
         let mut at = *start;
-        for k in 0..straight {
+        for k in 0..reach.straight {
             let Some(next) = step(field, &at, sign * self.unit) else { break };
-            if k >= bent && dot(next.axes[0], start.axes[0]) < BENT {
+            if k >= reach.bent && dot(next.axes[0], start.axes[0]) < BENT {
                 break;
             }
-            if !self.pool(field, &next) {
+            if !self.pool(field, &next, reach.wide) {
                 return false;
             }
             at = next;
@@ -94,10 +123,10 @@ impl Section {
     }
 
     /// Adds the points beside a station; false where it is crowded.
-    fn pool(&mut self, field: &Field, station: &Station) -> bool {
+    fn pool(&mut self, field: &Field, station: &Station, wide: f64) -> bool {
         let [along, u, v] = station.axes;
         let per = 1.0 / self.unit;
-        field.around(station.place, WIDE, self.unit, |f| {
+        field.around(station.place, wide, self.unit, |f| {
             let j = f.index as usize;
             let d = scale(sub(field.points[j], station.place), per);
             if !(-0.5..0.5).contains(&dot(d, along)) {

@@ -131,6 +131,7 @@ fn corner(section: &Section, a: &End, b: &End, evidence: f64) -> Weighted {
         deviation: DEVIATION * section.unit,
         evidence,
         reach: section.stations as f64 * section.unit,
+        radius: 0.0,
     };
     Weighted { edgelet, weight: 1.0 / (DEVIATION * DEVIATION) }
 }

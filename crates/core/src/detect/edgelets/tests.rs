@@ -30,7 +30,7 @@ fn scales(noise: f64) -> Scales<'static> {
 fn the_edge_of_a_ridge_is_found_with_its_direction_and_its_faces() {
     for (slope, noise) in [(1.0, 0.0), (1.0, 0.2), (0.5, 0.1)] {
         let (points, normals) = ridge(slope, noise);
-        let found = edgelets(&points, &normals, scales(noise), &EdgeletParams::default()).0;
+        let found = edgelets(&points, &normals, scales(noise), &EdgeletParams::default()).edgelets;
         assert!(found.len() > 25, "{slope}, {noise}: {}", found.len());
         for e in &found {
             let off = e.place[1].hypot(e.place[2]);
@@ -48,7 +48,7 @@ fn the_edge_of_a_ridge_is_found_with_its_direction_and_its_faces() {
 #[test]
 fn errors_are_as_large_as_stated() {
     let (points, normals) = ridge(1.0, 0.2);
-    let found = edgelets(&points, &normals, scales(0.2), &EdgeletParams::default()).0;
+    let found = edgelets(&points, &normals, scales(0.2), &EdgeletParams::default()).edgelets;
     let square = |e: &Edgelet| (e.place[1].powi(2) + e.place[2].powi(2)) / (2.0 * e.deviation.powi(2));
     let mean = found.iter().map(square).sum::<f64>() / found.len() as f64;
     // Cross-sections of the whole ridge share most of their points: fewer independent errors than edgelets.
@@ -59,7 +59,10 @@ fn errors_are_as_large_as_stated() {
 fn flat_and_gently_curved_surfaces_have_none() {
     for slope in [0.0, 0.1] {
         let (points, normals) = ridge(slope, 0.2);
-        assert!(edgelets(&points, &normals, scales(0.2), &EdgeletParams::default()).0.is_empty(), "{slope}");
+        assert!(
+            edgelets(&points, &normals, scales(0.2), &EdgeletParams::default()).edgelets.is_empty(),
+            "{slope}"
+        );
     }
     let bent = |y: f64| [y, -y * y / 30.0];
     let mut rng = Rng::new(3);
@@ -69,23 +72,23 @@ fn flat_and_gently_curved_surfaces_have_none() {
     let points: Vec<[f64; 3]> = places.iter().map(|p| [p[0], bent(p[1])[0], bent(p[1])[1]]).collect();
     let normals: Vec<[f32; 3]> =
         places.iter().map(|p| unit([0.0, p[1] / 15.0, 1.0]).map(|c| c as f32)).collect();
-    assert!(edgelets(&points, &normals, scales(0.0), &EdgeletParams::default()).0.is_empty());
+    assert!(edgelets(&points, &normals, scales(0.0), &EdgeletParams::default()).edgelets.is_empty());
 }
 
 #[test]
 fn beyond_the_greatest_noise_and_without_normals_there_are_none() {
     let (points, normals) = ridge(1.0, 0.2);
     let params = EdgeletParams { noise_spacings: 0.15, ..EdgeletParams::default() };
-    assert!(edgelets(&points, &normals, scales(0.2), &params).0.is_empty());
-    assert!(edgelets(&points, &[], scales(0.2), &EdgeletParams::default()).0.is_empty());
+    assert!(edgelets(&points, &normals, scales(0.2), &params).edgelets.is_empty());
+    assert!(edgelets(&points, &[], scales(0.2), &EdgeletParams::default()).edgelets.is_empty());
 }
 
 #[test]
 fn places_with_many_times_the_points_of_a_plane_have_none() {
     let (points, normals) = ridge(1.0, 0.0);
     let wide = |spacing| Resolution { spacing, noise: 0.0 }.into();
-    assert!(!edgelets(&points, &normals, wide(1.4), &EdgeletParams::default()).0.is_empty());
-    assert!(edgelets(&points, &normals, wide(6.0), &EdgeletParams::default()).0.is_empty());
+    assert!(!edgelets(&points, &normals, wide(1.4), &EdgeletParams::default()).edgelets.is_empty());
+    assert!(edgelets(&points, &normals, wide(6.0), &EdgeletParams::default()).edgelets.is_empty());
 }
 
 #[test]
@@ -137,7 +140,7 @@ fn wall_before_ground(gap: f64) -> (Vec<[f64; 3]>, Vec<[f32; 3]>) {
 fn the_foot_of_a_wall_is_found_where_the_ground_begins_a_few_spacings_before_it() {
     let found = |gap: f64| {
         let (points, normals) = wall_before_ground(gap);
-        edgelets(&points, &normals, scales(0.01), &EdgeletParams::default()).0
+        edgelets(&points, &normals, scales(0.01), &EdgeletParams::default()).edgelets
     };
     for gap in [1.2, 2.0, 2.6] {
         let foot = found(gap);
@@ -152,7 +155,7 @@ fn the_foot_of_a_wall_is_found_where_the_ground_begins_a_few_spacings_before_it(
 #[test]
 fn flat_places_lie_away_from_the_edge() {
     let (points, normals) = ridge(1.0, 0.05);
-    let (_, flat) = edgelets(&points, &normals, scales(0.05), &EdgeletParams::default());
+    let flat = edgelets(&points, &normals, scales(0.05), &EdgeletParams::default()).flat;
     assert!(flat.len() > 20, "{}", flat.len());
     assert!(flat.iter().all(|p| p[1].abs() > 1.0), "{flat:?}");
 }
@@ -170,7 +173,7 @@ fn both_corners_of_a_step_are_found_where_no_point_lies_on_its_face() {
             }
         }
         let normals = vec![[0.0, 0.0, 1.0]; points.len()];
-        let found = edgelets(&points, &normals, scales(noise), &EdgeletParams::default()).0;
+        let found = edgelets(&points, &normals, scales(noise), &EdgeletParams::default()).edgelets;
         for z in [0.0, height] {
             let near = |e: &&Edgelet| (e.place[2] - z).abs() < 0.2;
             assert!(found.iter().filter(near).count() > 20, "{height}, {noise}: {}", found.len());
@@ -184,7 +187,7 @@ fn both_corners_of_a_step_are_found_where_no_point_lies_on_its_face() {
         let sheets: Vec<[f64; 3]> =
             points.iter().flat_map(|p| [[p[0], p[1], 0.0], [p[0] + 0.5, p[1] + 0.5, height]]).collect();
         let normals = vec![[0.0, 0.0, 1.0]; sheets.len()];
-        assert!(edgelets(&sheets, &normals, scales(noise), &EdgeletParams::default()).0.is_empty());
+        assert!(edgelets(&sheets, &normals, scales(noise), &EdgeletParams::default()).edgelets.is_empty());
     }
 }
 
@@ -218,7 +221,8 @@ fn a_thin_pipe_has_no_creases() {
             normals.push([0.0, angle.cos() as f32, angle.sin() as f32]);
         }
     }
-    let (found, smooth) = edgelets(&points, &normals, scales(0.05), &EdgeletParams::default());
+    let Found { edgelets: found, flat: smooth, .. } =
+        edgelets(&points, &normals, scales(0.05), &EdgeletParams::default());
     assert!(found.is_empty(), "{}", found.len());
     assert!(smooth.len() > 20, "{}", smooth.len());
 }

@@ -46,7 +46,7 @@ impl Chain {
 
     /// Its evidence: that of an edgelet, as many times as edgelets along it rest on points of their own.
     pub(super) fn evidence(&self) -> f64 {
-        let seen = || self.members.iter().filter(|e| e.evidence > 0.0);
+        let seen = || self.members.iter().filter(|e| e.evidence != 0.0);
         let count = seen().count() as f64;
         let mean = |of: fn(&Edgelet) -> f64| seen().map(of).sum::<f64>() / count;
         mean(|e| e.evidence) * (self.extent() / mean(|e| e.reach)).max(1.0)
@@ -55,6 +55,6 @@ impl Chain {
 
 /// The length of a row of edgelets, without gaps that were closed.
 pub(super) fn extent(members: &[Edgelet]) -> f64 {
-    let seen = members.windows(2).filter(|w| w[0].evidence > 0.0 && w[1].evidence > 0.0);
+    let seen = members.windows(2).filter(|w| w[0].evidence != 0.0 && w[1].evidence != 0.0);
     seen.map(|w| distance(w[0].place, w[1].place)).sum()
 }

@@ -166,7 +166,17 @@ impl Edges {
             let edgelet = |place: [f64; 3], point: u32| {
                 let spacing = scales.at(point as usize).spacing;
                 let (deviation, evidence, reach) = (0.0, CERTAIN, spacing);
-                Edgelet { place, point, along, arms: fold.arms, spacing, deviation, evidence, reach }
+                Edgelet {
+                    place,
+                    point,
+                    along,
+                    arms: fold.arms,
+                    spacing,
+                    deviation,
+                    evidence,
+                    reach,
+                    radius: 0.0,
+                }
             };
             let mut end = |k: usize| {
                 let own = &mut number[self.ends[e][k] as usize];

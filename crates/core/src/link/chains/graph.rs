@@ -45,6 +45,7 @@ impl Graph {
         self.lines.penalty[v as usize] = Some(doubt as f32);
         let (shown, fold) = (e.evidence as f32, e.turn() as f32);
         self.lines.evidence[v as usize] = Some(Evidence { sharp: shown, expected: shown, fold });
+        self.lines.radius[v as usize] = e.radius as f32;
         self.edgelets.push(*e);
         v
     }

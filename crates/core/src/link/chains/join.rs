@@ -12,6 +12,8 @@ const STEP: (f64, f64) = (2.4, 0.2);
 const ASIDE: (f64, f64) = (0.35, 0.1);
 /// Least cosine between their directions.
 const ALIGNED: f64 = 0.8;
+/// Greatest ratio of the radii of a round at edgelets that follow each other.
+const RADII: f64 = 1.4;
 /// Cost of a distance across beside one along.
 const ACROSS: f64 = 2.0;
 /// Least number of edgelets of a closed chain.
@@ -94,7 +96,9 @@ fn cost(e: &Edgelet, o: &Edgelet) -> Option<(bool, f64)> {
     let along = dot(offset, e.along);
     let across = norm(cross(offset, e.along));
     let (share, more) = ASIDE;
-    let follows = dot(e.along, o.along).abs() >= ALIGNED
+    let alike = e.radius.max(o.radius) <= RADII * e.radius.min(o.radius);
+    let follows = alike
+        && dot(e.along, o.along).abs() >= ALIGNED
         && across <= share * along.abs() + more * e.spacing
         && along.abs() >= STEP.1 * e.spacing;
     follows.then_some((along > 0.0, along.abs() + ACROSS * across))

@@ -5,7 +5,17 @@ use crate::resolution::Resolution;
 const FACES: [[f64; 3]; 2] = [[0.0, 1.0, 0.0], [0.0, 0.0, -1.0]];
 
 fn edgelet(place: [f64; 3], along: [f64; 3], arms: [[f64; 3]; 2]) -> Edgelet {
-    Edgelet { place, point: 0, along, arms, spacing: 1.0, deviation: 0.1, evidence: 100.0, reach: 9.0 }
+    Edgelet {
+        place,
+        point: 0,
+        along,
+        arms,
+        spacing: 1.0,
+        deviation: 0.1,
+        evidence: 100.0,
+        reach: 9.0,
+        radius: 0.0,
+    }
 }
 
 /// Edgelets along x, one spacing apart.
@@ -179,4 +189,47 @@ fn the_end_of_a_narrow_face_is_closed() {
     let corners: Vec<u32> =
         (0..lines.edges.len() as u32).filter(|&v| lines.edges[v as usize].len() == 3).collect();
     assert!(lines.edges[corners[0] as usize].contains(&corners[1]), "the edge between both corners");
+}
+
+/// Edgelets of a rounded edge along x, and the points on its round and its faces.
+fn blend(radius: f64) -> (Vec<Edgelet>, Vec<[f64; 3]>) {
+    let row = (5..16).map(|k| edgelet([2.0 * f64::from(k), 0.0, 0.0], [1.0, 0.0, 0.0], FACES));
+    let edgelets = row.map(|e| Edgelet { radius, ..e }).collect();
+    let mut points = Vec::new();
+    for x in 0..=40 {
+        for k in 0..8 {
+            let angle = std::f64::consts::FRAC_PI_2 * (f64::from(k) + 0.5) / 8.0;
+            points.push([f64::from(x), radius * (1.0 - angle.sin()), radius * (angle.cos() - 1.0)]);
+        }
+        points.extend((0..8).map(|k| [f64::from(x), radius + f64::from(k), 0.0]));
+    }
+    (edgelets, points)
+}
+
+#[test]
+fn a_rounded_edge_is_led_on_as_far_as_points_lie_on_its_round() {
+    let (edgelets, points) = blend(3.0);
+    let scales = Resolution { spacing: 1.0, noise: 0.0 };
+    let (lines, kept) = rounded(&edgelets, 4.0, 4.0, &points, scales.into());
+    assert_eq!(kept.len(), lines.points.len());
+    assert_eq!(loose(&lines), 2);
+    let extent = |pick: fn(f64, f64) -> f64| lines.positions.iter().map(|p| p[0]).reduce(pick).unwrap();
+    // Eight steps at most beyond 10 and 30, and no step beyond the points.
+    assert!((extent(f64::min), extent(f64::max)) == (2.0, 38.0), "{:?}", lines.positions);
+    assert!(lines.radius.iter().all(|&r| r == 3.0));
+    let none: Vec<[f64; 3]> = points.iter().copied().filter(|p| (8.0..=33.0).contains(&p[0])).collect();
+    let (lines, _) = rounded(&edgelets, 4.0, 4.0, &none, scales.into());
+    let most = lines.positions.iter().map(|p| p[0]).fold(0.0, f64::max);
+    assert!((32.0..=34.0).contains(&most), "{most}");
+}
+
+#[test]
+fn a_chamfer_of_which_the_whole_edge_shows_more_is_no_rounded_edge() {
+    let (edgelets, points) = blend(3.0);
+    let doubtful: Vec<Edgelet> = (0..)
+        .zip(edgelets)
+        .map(|(k, e)| Edgelet { evidence: if k % 3 == 0 { 2.0 } else { -3.0 }, ..e })
+        .collect();
+    let scales = Resolution { spacing: 1.0, noise: 0.0 };
+    assert_eq!(rounded(&doubtful, 4.0, 4.0, &points, scales.into()).0.edge_count(), 0);
 }

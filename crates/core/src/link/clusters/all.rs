@@ -23,6 +23,7 @@ pub fn all_clusters(points: &[[f64; 3]], rings: &Neighbors, segments: &Segmentat
             penalty: vec![None; small.len()],
             corner: vec![1.0; small.len()],
             evidence: vec![None; small.len()],
+            radius: vec![0.0; small.len()],
             edges: vec![Vec::new(); small.len()],
             nodes: Vec::new(),
         },

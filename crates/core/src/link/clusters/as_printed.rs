@@ -43,5 +43,5 @@ pub(crate) fn link_as_printed(
     smooth(&mut lines, SMOOTHING);
     recorder.lines("G_smooth", &lines);
     leave(&mut lines, &mut border, own);
-    Linked { pattern: Pattern { crease: lines, border }, stages: recorder.stages }
+    Linked { pattern: Pattern { crease: lines, border, ..Pattern::default() }, stages: recorder.stages }
 }

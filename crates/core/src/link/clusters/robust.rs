@@ -57,7 +57,7 @@ pub(crate) fn link_robust(cloud: &Segments) -> Linked {
     let mut recorder = Recorder::new();
     let (mut lines, all) = open_lines(cloud, &mut recorder);
     take_vertices(&mut lines, &all);
-    let mut pattern = Pattern { crease: lines, border };
+    let mut pattern = Pattern { crease: lines, border, ..Pattern::default() };
     dock(&mut pattern, resolution.into());
     close(cloud, &mut pattern, &all, &mut recorder);
     corners(&mut pattern.crease, StripKind::Crease, resolution.into(), &params.repair);
@@ -97,7 +97,7 @@ fn add_edges(clusters: &mut Clusters, resolution: Resolution, reach: f64) {
 /// `G_closed` and `G_smooth`: closes the creases together with the borders on which they end.
 fn close(cloud: &Segments, pattern: &mut Pattern, all: &LineGraph, recorder: &mut Recorder) {
     let &Segments { resolution, rule, params, .. } = cloud;
-    let Pattern { crease: lines, border } = pattern;
+    let Pattern { crease: lines, border, .. } = pattern;
     let own = include(lines, border);
     bridge(lines, StripKind::Crease, resolution.into(), &params.repair);
     reroute(lines, all, resolution, rule.metric);

@@ -71,7 +71,7 @@ enum Bridge {
 pub(crate) fn bridge(lines: &mut LineGraph, kind: StripKind, scales: Scales, params: &RepairParams) {
     let far = params.bridge_reach;
     let (gaps, last): (&[(f64, f64)], f64) = match kind {
-        StripKind::Crease => (&CREASE_GAPS, TOUCHING_LAST[0]),
+        StripKind::Crease | StripKind::Rounded => (&CREASE_GAPS, TOUCHING_LAST[0]),
         StripKind::Border => (&BORDER_GAPS, TOUCHING_LAST[1]),
     };
     for (round, &(reach, angle)) in gaps.iter().enumerate() {

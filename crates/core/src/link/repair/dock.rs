@@ -21,7 +21,7 @@ const SAME_NODE: f64 = 2.0;
 
 /// Leads loose crease ends on to borders.
 pub(crate) fn dock(pattern: &mut Pattern, scales: Scales) {
-    let Pattern { crease, border } = pattern;
+    let Pattern { crease, border, .. } = pattern;
     let ends: Vec<u32> =
         (0..crease.edges.len() as u32).filter(|&v| crease.edges[v as usize].len() == 1).collect();
     refine(border, ends.iter().map(|&v| crease.positions[v as usize]).collect(), scales);
@@ -128,6 +128,7 @@ mod tests {
                 penalty: vec![Some(0.0); 2],
                 corner: vec![0.0; 2],
                 evidence: vec![None; 2],
+                radius: vec![0.0; 2],
                 edges: vec![vec![1], vec![0]],
                 nodes: Vec::new(),
             };

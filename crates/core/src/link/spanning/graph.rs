@@ -28,6 +28,7 @@ pub(crate) fn minimum_spanning_graph(
         penalty: penalties.scalar.iter().map(|&p| Some(p)).collect(),
         corner: penalties.corner.clone(),
         evidence: penalties.evidence.clone(),
+        radius: vec![0.0; penalties.len()],
         edges: vec![Vec::new(); penalties.len()],
         nodes: Vec::new(),
     };

@@ -75,7 +75,7 @@ impl<'a> CycleRule<'a> {
     /// density changes.
     pub(crate) fn of(self, kind: StripKind) -> Self {
         match kind {
-            StripKind::Crease => self,
+            StripKind::Crease | StripKind::Rounded => self,
             StripKind::Border => CycleRule { branch: self.branch.max(0.5 * self.rho), ..self },
         }
     }

@@ -8,8 +8,8 @@ use lineament::{Network, NodeKind, Strip, StripKind};
 use std::io::{self, Write};
 
 /// Layers with their colours: strips and nodes by kind.
-const LAYERS: [(&str, u8); 6] =
-    [("CREASE", 1), ("BORDER", 5), ("JUNCTION", 3), ("CORNER", 2), ("END", 6), ("APEX", 4)];
+const LAYERS: [(&str, u8); 7] =
+    [("CREASE", 1), ("BORDER", 5), ("JUNCTION", 3), ("CORNER", 2), ("END", 6), ("APEX", 4), ("ROUNDED", 30)];
 
 /// Angle from which on an arc is a whole circle, radians.
 const WHOLE: f64 = std::f64::consts::TAU - 1e-9;
@@ -51,6 +51,7 @@ fn strip_layer(kind: StripKind) -> usize {
     match kind {
         StripKind::Crease => 0,
         StripKind::Border => 1,
+        StripKind::Rounded => 6,
     }
 }
 

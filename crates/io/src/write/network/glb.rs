@@ -14,8 +14,11 @@ const VERTICES: u32 = 34962;
 const INDICES: u32 = 34963;
 
 /// Name and colour of each kind.
-const KINDS: [(StripKind, &str, [f32; 3]); 2] =
-    [(StripKind::Crease, "crease", [0.8, 0.05, 0.05]), (StripKind::Border, "border", [0.05, 0.2, 0.8])];
+const KINDS: [(StripKind, &str, [f32; 3]); 3] = [
+    (StripKind::Crease, "crease", [0.8, 0.05, 0.05]),
+    (StripKind::Border, "border", [0.05, 0.2, 0.8]),
+    (StripKind::Rounded, "rounded", [0.5, 0.2, 0.6]),
+];
 
 /// Writes one file with all lines. Shared nodes are shared vertices.
 pub(super) fn write(out: &mut dyn Write, network: &Network) -> io::Result<()> {
@@ -129,7 +132,7 @@ impl Lists {
 }
 
 /// The JSON part.
-fn json(local: &[[f32; 3]], segments: &[Vec<u32>; 2], middle: [f64; 3]) -> String {
+fn json(local: &[[f32; 3]], segments: &[Vec<u32>; 3], middle: [f64; 3]) -> String {
     let mut lists = Lists::default();
     lists.positions(local);
     for ((_, name, colour), indices) in KINDS.iter().zip(segments).filter(|(_, indices)| !indices.is_empty())

@@ -6,7 +6,7 @@ use super::{patch, piece, relation};
 use crate::write::encode::json::{Head, Index, Number, Point, Text, Value, lines, list};
 use lineament::curve::BSpline;
 use lineament::patch::Sides;
-use lineament::{Network, Node, Strip};
+use lineament::{Blend, Network, Node, Strip};
 use std::io::{self, Write};
 
 /// The names of the schemas, as they stand in every file: today's, and the first.
@@ -110,6 +110,9 @@ fn strip(
     write!(out, ", \"sources\": [")?;
     list(out, &strip.sources, |out, _, source| write!(out, "{source}"))?;
     write!(out, "], \"fold_deg\": {}", Number(context::fold_deg(strip, sides)))?;
+    if let Some(Blend { radius, sigma }) = strip.blend {
+        write!(out, ", \"radius\": {}, \"radius_sigma\": {}", Number(radius), Number(sigma))?;
+    }
     if let Some(Sides { left, right, convex, .. }) = sides {
         write!(out, ", \"left\": {}, \"right\": {}, \"convex\": ", Index(*left), Index(*right))?;
         match convex {

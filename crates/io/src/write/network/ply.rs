@@ -12,7 +12,7 @@ pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkCon
     let edges = paths.iter().map(|path| path.len().saturating_sub(1)).sum();
     let program = format!("lineament {}: feature lines", context.program_version);
     let nodes = network.nodes.len();
-    let kinds = format!("edge kind: 0 crease, 1 border; the first {nodes} vertices are the nodes");
+    let kinds = format!("edge kind: 0 crease, 1 border, 2 rounded; the first {nodes} vertices are the nodes");
     let elements =
         [ply::vertices(vertices.len(), &[]), ply::edges(edges, &[("uchar", "kind"), ("int", "strip")])];
     ply::header(out, &[&program, &kinds], &elements)?;
@@ -23,6 +23,7 @@ pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkCon
         let kind = match strip.kind {
             StripKind::Crease => 0u8,
             StripKind::Border => 1,
+            StripKind::Rounded => 2,
         };
         let more = [&[kind], &ply::index(id)?.to_le_bytes()[..]].concat();
         for pair in path.windows(2) {

@@ -26,8 +26,11 @@ pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkCon
             sets.push((strip.kind, set));
         }
     }
-    for kind in [StripKind::Crease, StripKind::Border] {
+    for kind in [StripKind::Crease, StripKind::Border, StripKind::Rounded] {
         let of_kind: Vec<Id> = sets.iter().filter(|s| s.0 == kind).map(|s| s.1).collect();
+        if kind == StripKind::Rounded && of_kind.is_empty() {
+            continue;
+        }
         step.layer(&kind.name().to_uppercase(), &of_kind)?;
     }
     let sets: Vec<Id> = sets.into_iter().map(|s| s.1).collect();

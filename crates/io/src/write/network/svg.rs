@@ -32,9 +32,13 @@ pub(super) fn write(out: &mut dyn Write, network: &Network, context: &NetworkCon
     )?;
     writeln!(out, "viewBox=\"0 0 {width:.3} {height:.3}\">")?;
     writeln!(out, "<desc>Feature lines; one unit of the input is {scale:?} mm</desc>")?;
-    for (kind, name, colour) in
-        [(StripKind::Crease, "crease", "#c81414"), (StripKind::Border, "border", "#1440c8")]
-    {
+    let kinds = [
+        (StripKind::Crease, "crease", "#c81414"),
+        (StripKind::Border, "border", "#1440c8"),
+        (StripKind::Rounded, "rounded", "#8040a0"),
+    ];
+    let shown = |kind| kind != StripKind::Rounded || network.strips.iter().any(|s| s.kind == kind);
+    for (kind, name, colour) in kinds.into_iter().filter(|k| shown(k.0)) {
         write!(out, "<g id=\"{name}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"0.35\" ")?;
         writeln!(out, "stroke-linejoin=\"round\" stroke-linecap=\"round\">")?;
         let strips = network.strips.iter().zip(&paths).enumerate();

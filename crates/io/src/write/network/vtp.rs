@@ -53,6 +53,7 @@ fn cells(out: &mut dyn Write, network: &Network, lines: &[(usize, &Vec<usize>)])
     let of_strip = |kind| match kind {
         StripKind::Crease => 0,
         StripKind::Border => 1,
+        StripKind::Rounded => 6,
     };
     let nodes = &network.nodes;
     array(

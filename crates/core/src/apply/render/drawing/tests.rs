@@ -30,6 +30,7 @@ fn edges() -> Network {
         deviation: 0.0,
         confidence: 1.0,
         sigma: Vec::new(),
+        blend: None,
     };
     Network { nodes: Vec::new(), strips: pairs.map(strip).collect() }
 }
