@@ -98,7 +98,7 @@ def render(
     unit: str | None = None,
     caption: bool = True,
 ) -> Picture:
-    """Draws points, and lines over them, as ``lineament render``: creases red, borders blue, junctions black, corners green, ends
+    """Draws points, and lines over them, as ``lineament render``: creases red, borders blue, rounded edges violet, junctions black, corners green, ends
     pink; lines behind the surface faint and dashed. No graphics hardware is used.
 
     Parameters

@@ -58,7 +58,12 @@ fn a_crease_that_ends_beside_the_end_of_a_border_ends_on_it() {
         let (mut crease, mut border) = (LineGraph::default(), LineGraph::default());
         row(&mut crease, [-20.0 - gap, 0.0, 0.0], X, 21);
         row(&mut border, [0.0; 3], Y, 21);
-        let network = recover(&Pattern { crease, border, ..Pattern::default() }, UNIT, &SplineParams::default(), SPANNING);
+        let network = recover(
+            &Pattern { crease, border, ..Pattern::default() },
+            UNIT,
+            &SplineParams::default(),
+            SPANNING,
+        );
         assert_eq!(network.count(NodeKind::End), ends, "gap {gap}");
         assert_eq!(network.strips.iter().filter(|s| s.kind == StripKind::Crease).count(), 1);
     }

@@ -74,9 +74,13 @@ fn closed_by_its_end(kind: LineKind, mut points: Vec<[f64; 3]>) -> Line {
 
 /// The kind of the lines of a layer, group or name.
 fn kind_of(name: &[u8]) -> LineKind {
-    let border = b"border";
-    let has = name.windows(border.len()).any(|part| part.eq_ignore_ascii_case(border));
-    if has { LineKind::Border } else { LineKind::Crease }
+    let has = |word: &[u8]| name.windows(word.len()).any(|part| part.eq_ignore_ascii_case(word));
+    match () {
+        () if has(b"border") => LineKind::Border,
+        // Without their radii they are no lines to score.
+        () if has(b"rounded") => LineKind::Weak,
+        () => LineKind::Crease,
+    }
 }
 
 /// Reads the lines in the file at `path`: a network or a truth in JSON, DXF, a wireframe in STEP, OBJ with lines, or a mesh, whose lines

@@ -101,6 +101,28 @@ fn a_network_is_the_same_lines_in_every_format() {
 }
 
 #[test]
+fn rounded_edges_come_back_with_their_radius_and_count_as_no_lines() {
+    let outline = shapes::rounded_rectangle([80.0, 60.0], 3.0);
+    let part = shapes::walls("rounded", &[outline], 20.0);
+    let part = part.sample(&shapes::Scan::new(shapes::Sampling::BlueNoise { count: 7000 }));
+    let network = extract(&part.cloud, &Default::default()).unwrap().network;
+    let known = Lines::from(&network);
+    assert_eq!(known.rounded.len(), 4);
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["a.json", "a.dxf", "a.step", "a.obj"] {
+        let path: PathBuf = folder.path().join(name);
+        write_network(&path, &[], &network, &NetworkContext::default()).unwrap();
+        let lines = read_lines(&path, 30.0).unwrap().lines;
+        let weak = lines.lines.iter().filter(|l| l.kind == LineKind::Weak).count();
+        let rounded = if name == "a.json" { lines.rounded.len() } else { weak };
+        assert_eq!(rounded, 4, "{name}");
+        if name == "a.json" {
+            assert!(lines == known);
+        }
+    }
+}
+
+#[test]
 fn drawings_of_other_programs_are_read() {
     let text = "999\nby hand\n0\nSECTION\n2\nBLOCKS\n0\nLINE\n10\n7\n20\n7\n11\n9\n21\n9\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n\
         0\nLWPOLYLINE\n8\nBorder edges\n90\n3\n70\n1\n38\n2.5\n10\n0\n20\n0\n10\n4\n20\n0\n42\n1\n10\n4\n20\n2\n210\n0\n220\n0\n230\n-1\n\

@@ -116,17 +116,29 @@ fn typed(item: &Value, row: &[[f64; 3]], range: &Value) -> Option<TypedCurve> {
 fn rounded(item: &Value) -> Result<RoundedEdge, String> {
     Ok(RoundedEdge {
         radius: item["radius"].as_f64().unwrap_or(0.0),
-        turn_deg: item["turn_deg"].as_f64().unwrap_or(SQUARE),
+        turn_deg: item["turn_deg"].as_f64().or_else(|| item["fold_deg"].as_f64()).unwrap_or(SQUARE),
         closed: item["closed"].as_bool().unwrap_or(false),
         points: points(&item["points"])?,
     })
+}
+
+/// The nodes at which rounded edges end, ascending: they have nodes of their own.
+fn rounded_ends(root: &Value) -> Vec<u64> {
+    let strips = root["strips"].as_array().into_iter().flatten().filter(|s| s["kind"] == "rounded");
+    let mut ends: Vec<u64> =
+        strips.flat_map(|s| ["start", "end"].map(|key| s[key].as_u64())).flatten().collect();
+    ends.sort_unstable();
+    ends
 }
 
 /// The junctions that a network or a truth names; `None` where it names no nodes.
 fn junctions(root: &Value) -> Result<Option<Vec<[f64; 3]>>, String> {
     for (name, place) in [("nodes", "position"), ("corners", "p")] {
         let Some(list) = root[name].as_array() else { continue };
-        let junction = |(_, item): &(usize, &Value)| item["kind"] == "junction";
+        let rounded = rounded_ends(root);
+        let junction = |(i, item): &(usize, &Value)| {
+            item["kind"] == "junction" && rounded.binary_search(&(*i as u64)).is_err()
+        };
         let at = |(i, item): (usize, &Value)| {
             point(&item[place]).ok_or_else(|| format!("{name}[{i}].{place}: three numbers were expected"))
         };

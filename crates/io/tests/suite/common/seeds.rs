@@ -3,7 +3,7 @@
 use ::parquet::file::properties::WriterVersion;
 use lineament::curve::pieces::{Piece, Shape, Sigma};
 use lineament::curve::{BSpline, Ellipse, Round};
-use lineament::{Attribute, Cloud, Column, Network, Node, NodeKind, Strip, StripKind};
+use lineament::{Attribute, Blend, Cloud, Column, Network, Node, NodeKind, Strip, StripKind};
 use lineament_io::{NetworkFormat, PointFormat, PointTable, write_network_to, write_points_to};
 
 /// A line over the first step and one curve of each other kind over the rest.
@@ -50,6 +50,7 @@ pub fn network() -> Network {
         deviation: 1e-7,
         confidence: 0.875,
         sigma: vec![[0.5, 0.25, 0.125]; points.len()],
+        blend: (kind == StripKind::Rounded).then_some(Blend { radius: 2.5, sigma: 0.125 }),
     };
     let node =
         |position, kind, degree| Node { position, kind, degree, source: 4, sigma: Some([0.25, 0.5, 0.0]) };
