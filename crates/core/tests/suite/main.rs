@@ -11,7 +11,6 @@ mod narrow_faces;
 mod projection;
 mod recovery;
 mod relations;
-mod rounded_edges;
 mod scales;
 mod scanned;
 mod section_axis;

@@ -1,5 +1,7 @@
 //! Faces that are narrower than a neighbourhood: each of their edges is a line of its own.
 
+mod rounded_edges;
+
 use lineament::shapes::{Sampling, Scan, Shape, chamfered_block, cuboid};
 use lineament::{Extraction, Method, Params, check, evaluate, extract};
 
