@@ -41,7 +41,8 @@ fn entries(scene: &Scene, settings: &Settings) -> Vec<(String, Option<Colour>)> 
                 continue;
             }
             let swatch = (settings.color == Color::Kind).then(|| strip_colour(kind));
-            entries.push((counted(count, kind.name()), swatch));
+            let name = if kind == StripKind::Rounded { "rounded edge" } else { kind.name() };
+            entries.push((counted(count, name), swatch));
         }
         if settings.color == Color::Confidence {
             let steps = [("confidence 0", 0.1), ("0.5", 0.5), ("1", 0.9)];
