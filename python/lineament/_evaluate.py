@@ -57,9 +57,14 @@ class Truth:
 
     @classmethod
     def of(cls, lines: Network | Sequence[npt.ArrayLike]) -> Truth:
-        """The truth of a network, or of open ``(M, 3)`` polylines, which have no nodes."""
+        """The truth of a network without its rounded edges, or of open ``(M, 3)`` polylines, which have no nodes."""
         if isinstance(lines, Network):
-            return cls([_node(node) for node in lines.nodes], [_curve(strip) for strip in lines.strips])
+            # Rounded edges have nodes of their own, which come last.
+            rounded = [strip for strip in lines.strips if strip.kind == "rounded"]
+            own = [end for strip in rounded for end in (strip.start, strip.end) if end is not None]
+            nodes = lines.nodes[: min(own, default=len(lines.nodes))]
+            curves = [curve for strip in lines.strips if (curve := _curve(strip)) is not None]
+            return cls([_node(node) for node in nodes], curves)
         none = np.empty(0)
         return cls([], [TruthCurve("crease", False, None, None, as_points(line), none) for line in lines])
 
@@ -68,8 +73,12 @@ def _node(node: Node) -> TruthNode:
     return TruthNode(node.position, node.kind, node.degree)
 
 
-def _curve(strip: Strip) -> TruthCurve:
-    return TruthCurve(strip.kind, strip.closed, strip.start, strip.end, strip.points, np.empty(0))
+def _curve(strip: Strip) -> TruthCurve | None:
+    """A strip as known line; ``None`` of a rounded edge."""
+    kind = strip.kind
+    if kind == "rounded":
+        return None
+    return TruthCurve(kind, strip.closed, strip.start, strip.end, strip.points, np.empty(0))
 
 
 class Hits(NamedTuple):
