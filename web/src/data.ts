@@ -22,7 +22,7 @@ export interface Curve {
 
 export interface Strip {
   id: number;
-  kind: "crease" | "border";
+  kind: "crease" | "border" | "rounded";
   closed: boolean;
   start: number | null;
   end: number | null;

@@ -30,7 +30,7 @@ export function real(x: number): string {
 }
 
 const LAYERS: [string, number][] = [
-  ["0", 7], ["CREASE", 1], ["BORDER", 5], ["JUNCTION", 3], ["CORNER", 2], ["END", 6], ["APEX", 4],
+  ["0", 7], ["CREASE", 1], ["BORDER", 5], ["JUNCTION", 3], ["CORNER", 2], ["END", 6], ["APEX", 4], ["ROUNDED", 30],
 ];
 
 function slice(plane: number): string {
@@ -144,6 +144,7 @@ export function svg(state: State, stage: Stage): string {
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${w}mm" height="${h}mm" viewBox="0 0 ${w} ${h}">`,
     "<desc>Feature lines as seen in the report</desc>", group("crease", "#c81414"), group("border", "#1440c8"),
+    ...(strips.some((strip) => strip.kind === "rounded") ? [group("rounded", "#8040a0")] : []),
     ...(sections.length ? [slices] : []),
     `<g id="nodes" fill="#202020">\n${circles.join("\n")}\n</g>`, "</svg>", "",
   ].join("\n");

@@ -94,6 +94,7 @@ export class Lines {
   readonly object = new THREE.Group();
   private creases = new Batch(2.6, true, 2);
   private borders = new Batch(2.6, true, 2);
+  private rounded = new Batch(2.6, true, 2);
   private slices = new Batch(1.6, true, 2);
   private marked = new Batch(5.5, true, 4);
   private frame = new Batch(2, true, 2);
@@ -108,7 +109,7 @@ export class Lines {
     this.dots = new THREE.Points(new THREE.BufferGeometry(), round);
     this.dots.renderOrder = 6;
     this.dots.frustumCulled = false;
-    const batches = [this.creases, this.borders, this.slices, this.marked, this.frame];
+    const batches = [this.creases, this.borders, this.rounded, this.slices, this.marked, this.frame];
     this.object.add(...batches.map((batch) => batch.object), this.dots);
     this.refresh();
   }
@@ -116,7 +117,8 @@ export class Lines {
   refresh(): void {
     const { report, layers } = this.state;
     const kept = this.state.kept();
-    for (const [kind, batch] of [["crease", this.creases], ["border", this.borders]] as const) {
+    const batches = [["crease", this.creases], ["border", this.borders], ["rounded", this.rounded]] as const;
+    for (const [kind, batch] of batches) {
       const strips = kept.filter((strip) => strip.kind === kind);
       const lines = strips.map((strip) => this.drawn(strip));
       const colours = this.state.lineColour === "confidence" ? shades(lines, strips.map((strip) => strip.confidence)) : null;
@@ -146,7 +148,7 @@ export class Lines {
   }
 
   clip(planes: THREE.Plane[]): void {
-    for (const batch of [this.creases, this.borders]) batch.clip(planes);
+    for (const batch of [this.creases, this.borders, this.rounded]) batch.clip(planes);
     const [plane] = planes;
     const { cut } = (this.dots.material as THREE.ShaderMaterial).uniforms;
     if (plane) cut.value.set(-plane.normal.x, -plane.normal.y, -plane.normal.z, plane.constant);

@@ -54,7 +54,8 @@ export class Panel {
     const clutter = points.classes?.includes(4) ?? false;
     const offered: [Layer, string, boolean][] = [
       ["points", "Points", points.count > 0], ["clutter", "Clutter", clutter], ["creases", "Creases", has("crease")],
-      ["borders", "Borders", has("border")], ["hidden", "Lines behind the surface", report.strips.length > 0],
+      ["borders", "Borders", has("border")], ["rounded", "Rounded edges", has("rounded")],
+      ["hidden", "Lines behind the surface", report.strips.length > 0],
       ["nodes", "Nodes", nodes.length > 0], ["slices", "Slices", sections !== null],
     ];
     const boxes = offered.filter(([, , there]) => there).map(([layer, text]) => this.box(layer, text));

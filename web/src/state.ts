@@ -3,9 +3,12 @@
 import type { Contour, Report, Strip } from "./data";
 import type { Cut } from "./plane";
 
-export type Layer = "points" | "clutter" | "creases" | "borders" | "hidden" | "nodes" | "slices";
+export type Layer = "points" | "clutter" | "creases" | "borders" | "rounded" | "hidden" | "nodes" | "slices";
 export type Colour = "plain" | "class" | "patch" | "height";
 export type LineColour = "kind" | "confidence";
+
+/** The layer of each kind of line. */
+const LAYER: Record<Strip["kind"], Layer> = { crease: "creases", border: "borders", rounded: "rounded" };
 
 /** What was picked: a line, a point of the scan or a node. */
 export interface Pick {
@@ -16,7 +19,7 @@ export interface Pick {
 
 export class State {
   layers: Record<Layer, boolean> = {
-    points: true, clutter: false, creases: true, borders: true, hidden: true, nodes: true, slices: true,
+    points: true, clutter: false, creases: true, borders: true, rounded: true, hidden: true, nodes: true, slices: true,
   };
   colour: Colour = "plain";
   lineColour: LineColour = "kind";
@@ -63,7 +66,7 @@ export class State {
   /** Whether a line stays after filtering. */
   keeps(strip: Strip): boolean {
     if (this.out.has(strip.id)) return false;
-    if (!this.layers[strip.kind === "crease" ? "creases" : "borders"]) return false;
+    if (!this.layers[LAYER[strip.kind]]) return false;
     if (strip.confidence < this.confidence || strip.length < this.length) return false;
     return this.types.size === 0 || this.types.has(kindOf(strip));
   }
