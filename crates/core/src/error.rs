@@ -44,6 +44,12 @@ pub enum Error {
         /// Greatest coordinate of the bounds on the axis.
         max: f64,
     },
+    /// The points of a cloud that is read in parts cannot be read.
+    #[error("the points cannot be read: {fault}")]
+    Points {
+        /// What the source says.
+        fault: String,
+    },
     /// A detector's measure does not match the points.
     #[error("the measure of the detector: {fault}")]
     Measure {

@@ -41,6 +41,11 @@ impl Grid {
         Grid { offset, exponent, to_cell: power_of_two(BITS as i32 - exponent) }
     }
 
+    /// The same cells for points that are given from the least corner.
+    pub(crate) fn at_corner(&self) -> Grid {
+        Grid { offset: [0.0; 3], ..*self }
+    }
+
     /// The vector from the least corner, without negative zeros.
     #[inline]
     pub(crate) fn relative(&self, p: [f64; 3]) -> [f64; 3] {

@@ -1,7 +1,9 @@
 //! The pipeline over tiles.
 
-use super::found::{Found, joined};
+use super::found::Found;
+use super::linked::joined;
 use super::plan::Plan;
+use super::points::Points;
 use super::run::Run;
 use crate::classify::classes_of;
 use crate::error::Error;
@@ -48,31 +50,31 @@ impl Tiled {
     }
 }
 
-/// Extracts the feature network of `(N, 3)` positions, world frame, tile by tile: bit by bit that of
-/// [`extract`](crate::extract()). `plan` is made of the histogram of the same points, and `take` gets the measure of each tile's own
-/// points, in the order of the tiles.
+/// Extracts the feature network of points tile by tile: bit by bit that of [`extract`](crate::extract()). `plan` is made of
+/// the histogram of the same points, and `take` gets the measure of each tile's own points, in the order of the tiles.
 ///
 /// # Errors
-/// Those of [`extract`](crate::extract()), except that collinear points give a network without strips; and
+/// Those of [`extract`](crate::extract()), except that collinear points give a network without strips; those of the points; and
 /// [`Error::Parameter`] for what does not run over tiles yet: other methods than `penalty`, its form as printed, recovery from
 /// wedges and patches.
 pub fn extract(
-    world: &[[f64; 3]],
+    points: &impl Points,
     params: &Params,
     plan: &Plan,
-    mut take: impl FnMut(&Found),
+    mut take: impl FnMut(Found),
 ) -> Result<Tiled, Error> {
     params.check()?;
     method::refuse_tiles(params)?;
-    let (mut run, counts) = Run::new(world, params, plan);
-    enough(world.len(), counts.iter().sum())?;
+    let read = points.count();
+    let (mut run, counts) = Run::new(points, params, plan)?;
+    enough(read, counts.iter().sum())?;
     let all = run.all();
     let mean = run.resolution(&counts, all)?;
-    let kept = run.kept(mean, counts);
+    let kept = run.kept(mean, counts)?;
     let (resolution, count) = run.after(&kept)?;
-    enough(world.len(), count)?;
-    let found = if kept.none { Vec::new() } else { run.detect(&kept, resolution, &mut take) };
-    let (cloud, mut measure) = joined(&found, (world, plan, run.frame), resolution, count);
+    enough(read, count)?;
+    let tiles = if kept.none { Vec::new() } else { run.detect(&kept, resolution, &mut take)? };
+    let (cloud, mut measure) = joined(tiles, (&plan.grid, run.frame), resolution, count);
     let (pattern, _) = method::link(&cloud, &mut measure, params);
     let mut network = method::recovered(&cloud, &measure, &pattern, params);
     let related = method::related(&cloud, &mut network, params);

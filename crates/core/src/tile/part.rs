@@ -2,13 +2,15 @@
 
 use super::guests::Guests;
 use super::plan::{Plan, Tile};
+use super::points::{Corners, Points};
+use crate::error::Error;
 use crate::frame::{Frame, Localised, finite};
 
 /// A tile with its margin, in the frame and the order of the whole cloud.
 pub(super) struct Part {
     /// `(N, 3)` distinct points in canonical order, local frame.
     pub(super) positions: Vec<[f64; 3]>,
-    /// `(N)` index of each in the input, ascending.
+    /// `(N)` index of each in the input.
     pub(super) source: Vec<u32>,
     /// `(N)` whether each lies in the core.
     pub(super) owned: Vec<bool>,
@@ -19,26 +21,31 @@ pub(super) struct Part {
 }
 
 impl Part {
-    /// Gathers the points within `margin` of a tile's core on every axis, local frame, and of its guests. `world` are the points of the
-    /// input.
+    /// Gathers the points within `margin` of a tile's core on every axis, local frame, and of its guests.
+    ///
+    /// # Errors
+    /// Those of the points.
     pub(super) fn gather(
         plan: &Plan,
         tile: &Tile,
         frame: Frame,
         (margin, guests): (f64, &Guests),
-        world: &[[f64; 3]],
-    ) -> Part {
+        points: &dyn Points,
+    ) -> Result<Part, Error> {
         let to_local = |v: [f64; 3]| v.map(|x| x / frame.scale);
         let [min, max] = tile.core.map(to_local);
         let [low, high] = [min.map(|x| x - margin), max.map(|x| x + margin)];
+        let boxes: Vec<Corners> = [[low, high]].into_iter().chain(guests.boxes(margin)).collect();
+        let boxes: Vec<Corners> = boxes.iter().map(|b| b.map(|v| v.map(|x| x * frame.scale))).collect();
         let (mut some, mut numbers) = (Vec::new(), Vec::new());
-        for (&p, i) in world.iter().zip(0..).filter(|(p, _)| finite(p)) {
+        points.within(&boxes, &mut |i, p| {
             let local = to_local(plan.grid.relative(p));
-            if (0..3).all(|a| low[a] <= local[a] && local[a] <= high[a]) || guests.hold(local, margin) {
+            let inside = (0..3).all(|a| low[a] <= local[a] && local[a] <= high[a]);
+            if finite(&p) && (inside || guests.hold(local, margin)) {
                 some.push(p);
                 numbers.push(i);
             }
-        }
+        })?;
         let Localised { positions, source, .. } = frame.of_part(&plan.grid, &some);
         let source = source.into_iter().map(|i| numbers[i as usize]).collect();
         let extent = to_local([0, 1, 2].map(|a| plan.bounds.max[a] - plan.grid.offset[a]));
@@ -51,12 +58,12 @@ impl Part {
             (0..3).map(side).fold(f64::INFINITY, f64::min).max(guests.room(*p, margin))
         };
         let owned = |p: &[f64; 3]| (0..3).all(|a| min[a] <= p[a] && p[a] < max[a]);
-        Part {
+        Ok(Part {
             source,
             owned: positions.iter().map(owned).collect(),
             room: positions.iter().map(room).collect(),
             whole: (0..3).all(|a| low[a] <= 0.0 && high[a] >= extent[a]),
             positions,
-        }
+        })
     }
 }

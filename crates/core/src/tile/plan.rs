@@ -29,6 +29,8 @@ pub struct Plan {
     pub(super) level: u32,
     /// Codes of the occupied cells, ascending.
     pub(super) codes: Vec<u64>,
+    /// Finite points in each of them, duplicates included.
+    pub(super) counts: Vec<u64>,
     tiles: Vec<Tile>,
 }
 
@@ -51,8 +53,8 @@ impl Plan {
         let mut own: Vec<Cell> = cells.iter().map(|&(code, count)| Cell { at: cell(code), count }).collect();
         let mut tiles = Vec::new();
         split(&mut own, most, share, &mut |cells| tiles.push(tile(cells, grid.side(*level))));
-        let codes = cells.iter().map(|cell| cell.0).collect();
-        Plan { grid: *grid, bounds: *bounds, level: *level, codes, tiles }
+        let (codes, counts) = cells.iter().copied().unzip();
+        Plan { grid: *grid, bounds: *bounds, level: *level, codes, counts, tiles }
     }
 
     /// The tiles, in an order that depends on the points alone.

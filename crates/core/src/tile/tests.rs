@@ -43,8 +43,7 @@ fn same(points: &[[f64; 3]], params: &Params, plan: &Plan, whole: &Extraction) -
     let mut seen = 0;
     let all = &whole.measure;
     let mut tiles = Vec::new();
-    let tiled = extract(points, params, plan, |found| {
-        tiles.push(found.clone());
+    let tiled = extract(&points, params, plan, |found| {
         seen += found.source.len();
         for (k, &i) in found.source.iter().enumerate() {
             let c = whole.canonical[i as usize] as usize;
@@ -59,6 +58,7 @@ fn same(points: &[[f64; 3]], params: &Params, plan: &Plan, whole: &Extraction) -
                 assert_eq!(format!("{row:?}"), format!("{:?}", all.row(c)), "candidate {i}");
             }
         }
+        tiles.push(found);
     })
     .unwrap();
     assert_eq!((seen, tiled.points), (whole.source.len(), whole.source.len()));

@@ -29,7 +29,7 @@ fn same(points: &[[f64; 3]], most: &[u64], strips: usize) {
     let histogram = Histogram::of(points, 1 << 14).unwrap();
     for &most in most {
         let plan = Plan::new(&histogram, most);
-        let tiled = extract(points, &params, &plan, |_| ()).unwrap();
+        let tiled = extract(&points, &params, &plan, |_| ()).unwrap();
         let own = digest(&tiled.network, &tiled.related, tiled.resolution.spacing, tiled.resolution.noise);
         assert_eq!(own, right, "{} tiles", plan.tiles().len());
         assert!(plan.tiles().len() > 1);

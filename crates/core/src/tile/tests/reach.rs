@@ -19,8 +19,9 @@ fn part_and_whole(points: &[[f64; 3]], margin: f64) -> [Set; 2] {
     let plan = plan(points, 2500, 0.5);
     let frame = Frame::of_points(points).unwrap().frame;
     let middle = &plan.tiles()[plan.tiles().len() / 2];
-    let sets = [margin, 1e9]
-        .map(|m| Set::all(&Part::gather(&plan, middle, frame, (m, &Guests::default()), points), 12));
+    let sets = [margin, 1e9].map(|m| {
+        Set::all(&Part::gather(&plan, middle, frame, (m, &Guests::default()), &points).unwrap(), 12)
+    });
     assert!(sets[0].positions.len() < sets[1].positions.len() * 3 / 4);
     sets
 }
