@@ -24,6 +24,7 @@ mod guests;
 mod histogram;
 mod kept;
 mod linked;
+mod measured;
 mod part;
 mod plan;
 mod points;

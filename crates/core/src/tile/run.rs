@@ -1,22 +1,16 @@
-//! The passes over the tiles: what all of them need to know comes first, then the points that are kept, at last the measure.
+//! The passes over the tiles: what all of them need to know comes first, then the points that are kept (`kept`), at last the measure (`measured`).
 
-use super::found::Found;
 use super::guests::Guests;
-use super::kept::Kept;
-use super::linked::Linked;
 use super::part::Part;
 use super::plan::{Plan, Tile};
 use super::points::Points;
 use super::set::Set;
 use crate::error::Error;
 use crate::frame::{Frame, LEVELS, Levels, finite};
-use crate::method;
 use crate::neighbors::riemannian::Scratch;
 use crate::params::Params;
-use crate::prepare::{Prepared, given, scaled};
+use crate::prepare::given;
 use crate::resolution::{PlaneFit, Resolution, Sampled, steps, wide_fit};
-use crate::surface::reach::of_spacings;
-use crate::surface::{evened, spacings};
 
 /// Margin with which each tile begins, spacings: what the first stages read on even surfaces.
 pub(super) const MARGIN: f64 = 24.0;
@@ -76,7 +70,7 @@ impl<'a> Run<'a> {
     }
 
     /// Runs a pass over a tile, again with a wider margin until all that it gives is known.
-    fn one<T>(&mut self, t: usize, pass: &impl Fn(&Part) -> (T, bool)) -> Result<T, Error> {
+    pub(super) fn one<T>(&mut self, t: usize, pass: &impl Fn(&Part) -> (T, bool)) -> Result<T, Error> {
         let (plan, frame) = (self.plan, self.frame);
         let tile: &Tile = &plan.tiles()[t];
         loop {
@@ -136,46 +130,6 @@ impl<'a> Run<'a> {
     pub(super) fn all(&self) -> impl Fn(&Part) -> Set + 'a {
         let k = self.params.neighbors.k;
         move |part| Set::all(part, k)
-    }
-
-    /// The measure of every tile's own points goes to `take`; what linking reads of them stays.
-    ///
-    /// # Errors
-    /// Those of the points.
-    pub(super) fn detect(
-        &mut self,
-        kept: &Kept,
-        resolution: Resolution,
-        take: &mut dyn FnMut(Found),
-    ) -> Result<Vec<Linked>, Error> {
-        let (all, params, frame) = (self.all(), self.params, self.frame);
-        let count = kept.counts.iter().sum();
-        let pass = |part: &Part| {
-            let set = kept.of(all(part));
-            let (graph, rows) = set.graph();
-            let (spacing, known) = match scaled(params) {
-                true => {
-                    let known = rows.and(&of_spacings(&set.nearest, &set.lists));
-                    (evened(&spacings(&set.positions, &set.nearest), resolution), known)
-                }
-                false => (Vec::new(), rows),
-            };
-            let points = (set.positions, set.source);
-            let cloud = Prepared::of_part(frame, points, graph, (resolution, spacing), count);
-            let measure = method::detect(&cloud, params);
-            let steps = method::steps(&cloud, params);
-            let known = known.steps(&cloud.graph, steps - 1);
-            let certain = set.owned.iter().zip(&known.0).all(|(owned, known)| !owned || *known);
-            let found = Found::new(&cloud, &measure, &set.owned);
-            ((found, Linked::new(&cloud, &measure, &set.owned)), certain)
-        };
-        let tiles = 0..self.plan.tiles().len();
-        let one = |t: usize| {
-            let (found, linked) = self.one(t, &pass)?;
-            take(found);
-            Ok(linked)
-        };
-        tiles.map(one).collect()
     }
 }
 
