@@ -4,7 +4,22 @@ use crate::common::{cloud, few_bits, found};
 use lineament::curve::pieces::{Piece, Shape, Sigma};
 use lineament::shapes::{self, Rng, Sampling, Scan, Truth, TruthCurve, TruthNode};
 use lineament::shapes::{Fold, bent_sheet, cube_386, cylinders, random_cube, sheet_with_hole, wedge};
-use lineament::{Network, evaluate};
+use lineament::{Extraction, Network, evaluate};
+use std::sync::OnceLock;
+
+/// A cloud with what is found in it.
+struct Base {
+    name: &'static str,
+    points: Vec<[f64; 3]>,
+    found: Extraction,
+}
+
+/// The clouds of these tests with what is found in them, which all tests share.
+fn bases() -> &'static [Base] {
+    static BASES: OnceLock<Vec<Base>> = OnceLock::new();
+    let base = |(name, points): (_, Vec<[f64; 3]>)| Base { name, found: found(&cloud(&points)), points };
+    BASES.get_or_init(|| clouds().into_iter().map(base).collect())
+}
 
 /// Clouds with creases, borders, loops and noise, no point twice, coordinates of few bits.
 fn clouds() -> Vec<(&'static str, Vec<[f64; 3]>)> {
@@ -107,23 +122,22 @@ fn shuffled(count: usize, seed: u64) -> Vec<u32> {
 
 #[test]
 fn clouds_of_these_tests_have_lines() {
-    for (name, points) in clouds() {
-        assert!(found(&cloud(&points)).network.strips.len() >= 2, "{name}");
+    for Base { name, found, .. } in bases() {
+        assert!(found.network.strips.len() >= 2, "{name}");
     }
 }
 
 #[test]
 fn one_of_these_clouds_has_clutter_rows_and_two_spacings() {
-    let result = found(&cloud(&uneven()));
+    let result = &bases().last().unwrap().found;
     assert!(result.clutter.len() >= 12, "{}", result.clutter.len());
     assert!(result.report.points + result.clutter.len() < uneven().len() / 2, "{}", result.report.points);
 }
 
 #[test]
 fn order_of_the_points_changes_the_numbering_alone() {
-    for (name, points) in clouds() {
-        let first = found(&cloud(&points));
-        for seed in 1..=20 {
+    for Base { name, points, found: first } in bases() {
+        for seed in 1..=5 {
             let order = shuffled(points.len(), seed);
             let moved: Vec<[f64; 3]> = order.iter().map(|&i| points[i as usize]).collect();
             let result = found(&cloud(&moved));
@@ -137,13 +151,13 @@ fn order_of_the_points_changes_the_numbering_alone() {
 
 #[test]
 fn number_of_threads_changes_nothing() {
-    for (name, points) in clouds() {
+    for Base { name, points, .. } in bases() {
         let with = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| found(&cloud(&points)))
+            pool.install(|| found(&cloud(points)))
         };
         let one = with(1);
-        for threads in [2, 4, 8] {
+        for threads in [2, 8] {
             let other = with(threads);
             same(&one.network, &other.network, &format!("{name}, {threads} threads"));
             assert_eq!(
@@ -163,7 +177,7 @@ fn threads_change_nothing_in_a_cloud_of_many_blocks() {
         pool.install(|| found(&points).network)
     };
     let one = with(1);
-    for threads in [2, 4, 8] {
+    for threads in [2, 8] {
         same(&one, &with(threads), &format!("{threads} threads"));
     }
 }
@@ -171,28 +185,26 @@ fn threads_change_nothing_in_a_cloud_of_many_blocks() {
 #[test]
 fn dyadic_translation_moves_every_coordinate_by_just_that() {
     let f = f64::from(1 << 20);
-    let offsets = [[1024.0; 3], [0.5, -3.25, 0.0], [-3.25, 0.5, 1024.0], [f, -f, 0.5], [f, f, f]];
-    for (name, points) in clouds() {
-        let first = found(&cloud(&points)).network;
+    let offsets = [[1024.0; 3], [0.5, -3.25, 0.0], [f, -f, 0.5]];
+    for Base { name, points, found: first } in bases() {
         for offset in offsets {
             let add = |p: [f64; 3]| [0, 1, 2].map(|k| p[k] + offset[k]);
             let back = |p: [f64; 3]| [0, 1, 2].map(|k| p[k] - offset[k]);
             let moved: Vec<[f64; 3]> = points.iter().map(|&p| add(p)).collect();
             let network = found(&cloud(&moved)).network;
-            same(&first, &mapped(network, 1.0, back), &format!("{name} moved by {offset:?}"));
+            same(&first.network, &mapped(network, 1.0, back), &format!("{name} moved by {offset:?}"));
         }
     }
 }
 
 #[test]
 fn powers_of_two_scale_every_coordinate_by_just_that() {
-    for (name, points) in clouds() {
-        let first = found(&cloud(&points)).network;
-        for exponent in [-100, -7, 1, 3, 100] {
+    for Base { name, points, found: first } in bases() {
+        for exponent in [-100, 3, 100] {
             let scale = 2.0_f64.powi(exponent);
             let scaled: Vec<[f64; 3]> = points.iter().map(|p| p.map(|x| x * scale)).collect();
             let network = found(&cloud(&scaled)).network;
-            let expected = mapped(first.clone(), scale, |p| p.map(|x| x * scale));
+            let expected = mapped(first.network.clone(), scale, |p| p.map(|x| x * scale));
             same(&expected, &network, &format!("{name} times 2^{exponent}"));
         }
     }
@@ -221,11 +233,10 @@ fn rotation_turns_the_lines() {
         let [x, y] = [c * x - s * y, s * x + c * y];
         [x, c * y - s * z, s * y + c * z]
     };
-    for (name, points) in clouds() {
-        let first = found(&cloud(&points));
+    for Base { name, points, found: first } in bases() {
         let turned: Vec<[f64; 3]> = points.iter().map(|&p| turn(p)).collect();
         let network = found(&cloud(&turned)).network;
-        let truth = as_truth(&mapped(first.network, 1.0, turn));
+        let truth = as_truth(&mapped(first.network.clone(), 1.0, turn));
         let score = evaluate::against(&network, &truth, first.report.spacing);
         assert!(score.at_1h.f1 >= 0.98, "{name}: {score:?}");
     }
@@ -233,8 +244,7 @@ fn rotation_turns_the_lines() {
 
 #[test]
 fn points_given_twice_are_merged_and_change_nothing() {
-    for (name, points) in clouds() {
-        let first = found(&cloud(&points));
+    for Base { name, points, found: first } in bases() {
         let extra = points.len() / 3;
         let doubled = [&points[..], &points[..extra], &points[..1]].concat();
         let result = found(&cloud(&doubled));
@@ -247,8 +257,7 @@ fn points_given_twice_are_merged_and_change_nothing() {
 #[test]
 fn rows_that_are_not_finite_are_dropped_and_change_nothing() {
     let bad = [[f64::NAN; 3], [0.0, f64::INFINITY, 1.0], [1.0, 2.0, f64::NEG_INFINITY]];
-    for (name, points) in clouds() {
-        let first = found(&cloud(&points));
+    for Base { name, points, found: first } in bases() {
         let mut mixed = Vec::new();
         let mut number = Vec::new();
         for (i, &p) in points.iter().enumerate() {

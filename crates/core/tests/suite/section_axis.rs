@@ -4,8 +4,9 @@ use lineament::Cloud;
 use lineament::section::{Axis, Planes, SectionParams, section};
 use lineament::shapes::{self, Rng, Sampling, Scan, Shape};
 
+const COUNT: usize = 20_000;
 /// So many that the bores of a plate are ten spacings wide and more.
-const COUNT: usize = 40_000;
+const PLATE: usize = 40_000;
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 
@@ -25,8 +26,8 @@ fn turned(m: &[[f64; 3]; 3], p: [f64; 3]) -> [f64; 3] {
 }
 
 /// The axis found on a part that is turned and moved, turned back.
-fn found(shape: &Shape, noise: f64, quaternion: [f64; 4]) -> [f64; 3] {
-    let scan = Scan::new(Sampling::BlueNoise { count: COUNT }).noise(noise).seed(1);
+fn found(shape: &Shape, count: usize, noise: f64, quaternion: [f64; 4]) -> [f64; 3] {
+    let scan = Scan::new(Sampling::BlueNoise { count }).noise(noise).seed(1);
     let m = rotation(quaternion);
     let moved = |p| {
         let [x, y, z] = turned(&m, p);
@@ -57,7 +58,7 @@ fn parts_with_one_axis_are_cut_across_it() {
     // Each combination of turn and noise in its turn.
     let cases = (0..6).cycle().map(|k| (TURNS[k % 3], [0.0, 0.25][k % 2]));
     for (shape, (quaternion, noise)) in turned_parts.iter().chain(&extruded).chain(&round).zip(cases) {
-        let off = apart(found(shape, noise, quaternion), Z);
+        let off = apart(found(shape, COUNT, noise, quaternion), Z);
         assert!(off < 1.0, "{}, noise {noise}: {off} degrees", shape.name);
     }
 }
@@ -66,7 +67,7 @@ fn parts_with_one_axis_are_cut_across_it() {
 fn parts_with_faces_square_to_each_other_are_cut_square_to_them() {
     let parts = [shapes::bracket(), shapes::crossed_bores(), shapes::ribbed_bracket(), shapes::manifold()];
     for (shape, quaternion) in parts.iter().zip(TURNS.into_iter().cycle()) {
-        let axis = found(shape, 0.1, quaternion);
+        let axis = found(shape, COUNT, 0.1, quaternion);
         let most = axis.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         assert!(most.acos().to_degrees() < 1.0, "{}: {axis:?}", shape.name);
     }
@@ -75,10 +76,10 @@ fn parts_with_faces_square_to_each_other_are_cut_square_to_them() {
 #[test]
 fn of_axes_as_good_the_one_of_fewest_changes_is_taken_and_then_the_longest() {
     // Along a channel nothing changes; a bar has two ends each way.
-    assert!(apart(found(&shapes::channel(), 0.1, TURNS[1]), X) < 1.0);
-    assert!(apart(found(&shapes::cuboid([5.0, 2.0, 1.0]), 0.1, TURNS[1]), X) < 1.0);
+    assert!(apart(found(&shapes::channel(), COUNT, 0.1, TURNS[1]), X) < 1.0);
+    assert!(apart(found(&shapes::cuboid([5.0, 2.0, 1.0]), COUNT, 0.1, TURNS[1]), X) < 1.0);
     // Holes tell a plate's axis.
-    assert!(apart(found(&shapes::counterbored_plate(), 0.1, TURNS[2]), Z) < 1.0);
+    assert!(apart(found(&shapes::counterbored_plate(), PLATE, 0.1, TURNS[2]), Z) < 1.0);
 }
 
 #[test]

@@ -30,15 +30,15 @@ fn cube_386_has_12_strips_8_junctions_and_92_points_on_edges() {
 }
 
 #[test]
-fn random_cube_is_a_cube_for_18_seeds_of_20() {
-    let good = (1..=20).filter(|&seed| {
+fn random_cube_is_a_cube_for_9_seeds_of_10() {
+    let good = (1..=10).filter(|&seed| {
         let scan = random_cube(seed, 10_000);
         let network = found(&scan.cloud).network;
         let cube = network.strips.len() == 12 && network.count(NodeKind::Junction) == 8;
         cube && evaluate::isomorphic(&network, &scan.truth)
     });
     let good: Vec<u64> = good.collect();
-    assert!(good.len() >= 18, "only seeds {good:?}");
+    assert!(good.len() >= 9, "only seeds {good:?}");
 }
 
 #[test]
@@ -52,8 +52,8 @@ fn wedge_of_90_degrees_is_its_truth() {
 }
 
 #[test]
-fn tapered_block_is_its_truth_for_8_seeds_of_10() {
-    let good = (1..=10).filter(|&seed| {
+fn tapered_block_is_its_truth_for_4_seeds_of_5() {
+    let good = (1..=5).filter(|&seed| {
         let scan = tapered_block().sample(&Scan::new(Sampling::BlueNoise { count: 6000 }).seed(seed));
         let network = found(&scan.cloud).network;
         let score = evaluate::against(&network, &scan.truth, scan.spacing);
@@ -61,7 +61,7 @@ fn tapered_block_is_its_truth_for_8_seeds_of_10() {
         evaluate::isomorphic(&network, &scan.truth)
     });
     let good: Vec<u64> = good.collect();
-    assert!(good.len() >= 8, "only seeds {good:?}");
+    assert!(good.len() >= 4, "only seeds {good:?}");
 }
 
 #[test]
